@@ -1,0 +1,58 @@
+# cmake -DROOT=folder -DLIST=file -DOUTPUT=file.cpp -P embed_text.cmake
+# Writes the files named in LIST (paths relative to ROOT, one per line) into OUTPUT as kd::shader_files().
+# A long text becomes many string literals, because compilers limit the length of one.
+
+set(piece_length 4000)
+set(open "R\"kdtext(")
+set(close ")kdtext\"")
+
+# literal(OUT TEXT): TEXT as adjacent raw string literals, split at line ends where there are any.
+function(literal out text)
+    set(result "")
+    string(LENGTH "${text}" length)
+    set(begin 0)
+    while(begin LESS length)
+        string(SUBSTRING "${text}" ${begin} ${piece_length} piece)
+        math(EXPR end "${begin} + ${piece_length}")
+        if(end LESS length)
+            string(FIND "${piece}" "\n" line_end REVERSE)
+            if(line_end GREATER 0)
+                math(EXPR end "${begin} + ${line_end} + 1")
+                math(EXPR count "${line_end} + 1")
+                string(SUBSTRING "${text}" ${begin} ${count} piece)
+            endif()
+        endif()
+        string(APPEND result "    ${open}${piece}${close}\n")
+        set(begin ${end})
+    endwhile()
+    if(result STREQUAL "")
+        set(result "    \"\"\n")
+    endif()
+    set(${out} "${result}" PARENT_SCOPE)
+endfunction()
+
+file(STRINGS "${LIST}" paths)
+set(texts "")
+set(table "")
+set(index 0)
+foreach(path IN LISTS paths)
+    file(READ "${ROOT}/${path}" text)
+    string(FIND "${text}" "${close}" clash)
+    if(NOT clash EQUAL -1)
+        message(FATAL_ERROR "${path}: contains ${close}, which ends an embedded text")
+    endif()
+    literal(pieces "${text}")
+    string(APPEND texts "constexpr char text_${index}[] =\n${pieces}    ;\n")
+    string(APPEND table "    {\"${path}\", {text_${index}, sizeof(text_${index}) - 1}},\n")
+    math(EXPR index "${index} + 1")
+endforeach()
+
+if(index EQUAL 0)
+    set(definition "std::span<const ShaderFile> shader_files() { return {}; }\n")
+else()
+    set(definition "constexpr ShaderFile files[] = {\n${table}};\n\n}\n\nstd::span<const ShaderFile> shader_files() { return files; }\n")
+    set(texts "namespace {\n\n${texts}\n")
+endif()
+file(WRITE "${OUTPUT}"
+    "// Generated from shaders/ by cmake/embed_text.cmake; edit the shaders instead.\n"
+    "#include \"renderer/gl/shader_text.h\"\n\nnamespace kd {\n" "${texts}" "${definition}" "\n}\n")

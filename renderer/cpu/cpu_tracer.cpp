@@ -1,0 +1,94 @@
+#include "renderer/cpu/cpu_tracer.h"
+
+#include <atomic>
+#include <hwy/highway.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "renderer/cpu/scene_view.h"
+#include "renderer/cpu/tile_job.h"
+
+namespace kd {
+
+namespace {
+
+constexpr int tile_size = 16;
+constexpr std::size_t rays_per_task = 1024;
+
+template <class Work>
+void parallel(std::size_t count, std::size_t grain, int threads, const Work& work)
+{
+    tbb::task_arena arena(threads > 0 ? threads : default_threads());
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                          [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
+    });
+}
+
+} // namespace
+
+int default_threads()
+{
+    return tbb::info::default_concurrency();
+}
+
+std::string cpu_target_name()
+{
+    // The best of the instruction sets that tile_kernel.cpp was compiled for and this processor has.
+    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_SSSE3 | HWY_AVX3_DL);
+    return hwy::TargetName(usable & -usable);
+}
+
+CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>())
+{
+    view_->scene = &scene;
+    view_->tree = &tree;
+}
+
+CpuTracer::~CpuTracer() = default;
+CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
+
+void CpuTracer::prepare(const TraceConfig& config)
+{
+    SceneView& view = *view_;
+    view.needs = scene_needs(*view.scene, config);
+    if (info(config.traversal).needs_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
+    view.duplicated = config.leaf_lists == LeafLists::duplicated;
+    if (view.duplicated && view.duplicated_corners.empty())
+        view.duplicated_corners = duplicated_leaf_triangles(*view.tree, view.scene->triangles);
+}
+
+bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles,
+                            Frame& frame, int threads, std::stop_token stop, const std::function<void(float)>& progress)
+{
+    prepare(config);
+    std::atomic<std::size_t> done = 0;
+    parallel(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
+            run_tile_job({*view_, config, camera, tiles[i], frame});
+            const std::size_t finished = ++done;
+            if (progress) progress(float(finished) / float(tiles.size()));
+        }
+    });
+    return done == tiles.size();
+}
+
+bool CpuTracer::trace_frame(const TraceConfig& config, const PinholeCamera& camera, Frame& frame, int threads,
+                            std::stop_token stop, const std::function<void(float)>& progress)
+{
+    return trace_tiles(config, camera, tiles_of(frame.width, frame.height, tile_size), frame, threads, stop, progress);
+}
+
+void CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                           std::span<RayCounters> counters, int threads)
+{
+    prepare(config);
+    parallel(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
+        const std::size_t n = last - first;
+        run_ray_job({*view_, config, rays.subspan(first, n), any_hit, hits.subspan(first, n),
+                     counters.empty() ? counters : counters.subspan(first, n)});
+    });
+}
+
+} // namespace kd

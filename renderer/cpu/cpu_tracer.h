@@ -1,0 +1,54 @@
+// Tracing on the CPU: the shared text, tiles over all cores.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/kdtree/tree.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/frame.h"
+#include "renderer/trace/trace_config.h"
+
+namespace kd {
+
+struct SceneView; // renderer/cpu/scene_view.h
+
+/// Holds what tracing needs beside scene and tree (node boxes, duplicated leaf lists, made when first asked for).
+/// Scene and tree must outlive it. Calls on one tracer must not overlap; each uses as many threads as it is given.
+class CpuTracer {
+public:
+    CpuTracer(const FlatScene& scene, const KdTree& tree);
+    ~CpuTracer();
+    CpuTracer(CpuTracer&&) noexcept;
+
+    /// Makes the tables that `config` needs. Called by the others; call it first to keep it out of a timing.
+    void prepare(const TraceConfig& config);
+
+    /// Traces the pixels of `tiles` into `frame` on `threads` threads (0 = all), in order as far as threads allow. False
+    /// where stopped before the end. `progress` receives the fraction done and may be called from several threads.
+    bool trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles, Frame& frame,
+                     int threads = 0, std::stop_token stop = {}, const std::function<void(float)>& progress = {});
+
+    /// All tiles of the frame.
+    bool trace_frame(const TraceConfig& config, const PinholeCamera& camera, Frame& frame, int threads = 0,
+                     std::stop_token stop = {}, const std::function<void(float)>& progress = {});
+
+    /// Traces the rays given. `counters` may be empty (nothing is counted then) or as long as `rays`.
+    void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                    std::span<RayCounters> counters, int threads = 0);
+
+private:
+    std::unique_ptr<SceneView> view_;
+};
+
+/// Instruction set that the hot code runs with, chosen when first used ("AVX3", "AVX2", "SSE4", ...).
+[[nodiscard]] std::string cpu_target_name();
+
+/// Threads that "0 = all" means.
+[[nodiscard]] int default_threads();
+
+} // namespace kd

@@ -1,0 +1,35 @@
+// The work that the instruction-set-specific code does: a tile of pixels, or a run of rays.
+#pragma once
+
+#include <span>
+
+#include "renderer/cpu/scene_view.h"
+#include "renderer/trace/frame.h"
+
+namespace kd {
+
+/// Steps and triangle tests after which a walk is ended and flagged: far above any honest walk.
+inline constexpr int cpu_step_budget = 1 << 30;
+
+struct TileJob {
+    const SceneView& view;
+    const TraceConfig& config;
+    const PinholeCamera& camera;
+    Tile tile;
+    Frame& frame;
+};
+
+struct RayJob {
+    const SceneView& view;
+    const TraceConfig& config;
+    std::span<const Ray> rays;
+    bool any_hit;
+    std::span<Hit> hits;
+    std::span<RayCounters> counters; // empty: not counted
+};
+
+// Defined in tile_kernel.cpp, dispatched to the best instruction set of this processor.
+void run_tile_job(const TileJob& job);
+void run_ray_job(const RayJob& job);
+
+} // namespace kd

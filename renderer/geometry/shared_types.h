@@ -1,0 +1,58 @@
+// The C++ side of shaders/shared: the words that make GLSL text compile as C++, and the shared value types.
+//
+// kd::Ray, kd::Hit, ... are single precision. kd::f64 holds the same types in double, for the oracle.
+#pragma once
+
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#define OUT(T) T&
+#define INOUT(T) T&
+#define PRECISE
+#define KD_FN [[gnu::always_inline]] inline
+#define KD_CONST(T) static constexpr T
+#define KD_RARE(condition) __builtin_expect(!!(condition), 0)
+
+namespace kd {
+
+using uint = std::uint32_t;
+using int2 = glm::ivec2;
+using int3 = glm::ivec3;
+
+#include "shaders/shared/counters.glsl"
+
+#define KD_SHARED_SCALAR(T)                                                                                            \
+    using real = T;                                                                                                    \
+    using real2 = glm::vec<2, T>;                                                                                      \
+    using real3 = glm::vec<3, T>;                                                                                      \
+    using real4 = glm::vec<4, T>;                                                                                      \
+    using glm::abs;                                                                                                    \
+    using glm::floor;                                                                                                  \
+    using glm::max;                                                                                                    \
+    using glm::min;                                                                                                    \
+    using glm::pow;                                                                                                    \
+    using glm::sqrt;
+
+inline namespace f32 {
+KD_SHARED_SCALAR(float)
+#include "shaders/shared/constants.glsl"
+#include "shaders/shared/types.glsl"
+} // namespace f32
+
+namespace f64 {
+KD_SHARED_SCALAR(double)
+#include "shaders/shared/constants.glsl"
+#include "shaders/shared/types.glsl"
+} // namespace f64
+
+#undef KD_SHARED_SCALAR
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
+
+} // namespace kd

@@ -1,0 +1,83 @@
+// GPURT: the paper's four fragment passes over a kd-tree in textures (its section 3.2).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/context.h"
+#include "renderer/kdtree/tree.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/frame.h"
+#include "renderer/trace/trace_config.h"
+
+namespace kd {
+
+/// How pixels that a pass need not shade are culled (paper, section 3.2.1).
+enum class EarlyZ {
+    working,      // RTPrim writes 0 reflective hit, 0.25 other hit, 1 miss; later quads lie between, depth test GREATER
+    as_published, // RTPrim writes 0 hit, 1 miss; quad at 0 with LEQUAL: culls nothing
+};
+
+struct GlTraceConfig {
+    TraceConfig trace;
+    EarlyZ early_z = EarlyZ::working;
+    bool count_shaded = false; // counts the pixels each pass shades, exactly (an atomic with early fragment tests)
+
+    bool operator==(const GlTraceConfig&) const = default;
+};
+
+/// Per pass: time in ms, and shaded pixels where counted (-1 where not, or where the pass did not run).
+struct GlFrameReport {
+    std::array<double, pass_count> pass_ms{};
+    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
+    double total_ms = 0;
+    std::string clock; // "timer query" on hardware, "finish + steady clock" on software
+};
+
+/// Memory that an upload takes, in bytes.
+struct GlMemory {
+    std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0;
+};
+
+/// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
+struct GlError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class GlTracer {
+public:
+    explicit GlTracer(Context& context);
+    ~GlTracer();
+
+    /// Uploads scene and tree; both must outlive the next upload. InputError with the numbers where a limit of the float4
+    /// encoding, of textures or of the loop budget is passed; the previous upload stays usable then.
+    void upload(const FlatScene& scene, const KdTree& tree);
+
+    /// Compiles the programs and makes the tables and targets that a configuration needs, outside of any timing.
+    void prepare(const GlTraceConfig& config, int width, int height);
+
+    /// Draws the passes for `tile` of a width x height frame into the tracer's own targets.
+    GlFrameReport draw(const GlTraceConfig& config, const PinholeCamera& camera, int width, int height, Tile tile);
+
+    /// The targets of the last draws as a Frame (reads back).
+    [[nodiscard]] Frame read_frame(const TraceConfig& config);
+
+    /// Texture holding the colour of the last draws (RGBA32F, row 0 = top of the image), for display.
+    [[nodiscard]] unsigned colour_texture() const;
+
+    /// Traces arbitrary rays with the RTPrim program fed from a texture. `counters` as in CpuTracer::trace_rays.
+    void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                    std::span<RayCounters> counters);
+
+    [[nodiscard]] GlMemory memory() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace kd

@@ -1,0 +1,65 @@
+// Building: one configuration, one table of builders, each a free function from triangles to a tree.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "renderer/kdtree/tree.h"
+
+namespace kd {
+
+/// Constants of the builders. Costs are in units of one traversal step unless said otherwise.
+struct BuildConfig {
+    std::string builder = "paper";
+    /// Cost t_t of visiting an interior node.
+    float traversal_cost = 1.0f;
+    /// Cost t_i of one triangle test. Larger makes deeper trees with fewer tests.
+    float intersection_cost = 1.5f;
+    /// b_e, 0..1: the fraction of the intersection cost forgiven when one child is empty. Larger carves off more space.
+    float empty_bonus = 0.2f;
+    /// The bonus is given only where the empty child is at least this fraction of the node's extent along the axis.
+    float empty_bonus_gate = 0.1f;
+    /// Nodes with at most this many triangles become leaves.
+    int leaf_size = 1;
+    /// 0 = 8 + 1.6 log2(N); never above max_tree_depth.
+    int max_depth = 0;
+    /// How often on one path a split may cost more than it saves before the node becomes a leaf.
+    int bad_refines = 3;
+    /// The build stops splitting when references exceed this many per triangle; told in BuildReport::reference_cap_hit.
+    float reference_cap = 64.0f;
+
+    bool operator==(const BuildConfig&) const = default;
+};
+
+/// What happened during a build.
+struct BuildReport {
+    double seconds = 0;
+    bool reference_cap_hit = false;
+    bool depth_limit_hit = false;
+};
+
+/// Called now and then with the fraction done, 0..1, from the building thread.
+using BuildProgress = std::function<void(float)>;
+
+struct Builder {
+    std::string_view name;    // "paper"
+    std::string_view title;   // "SAH as in the paper"
+    std::string_view summary; // one sentence
+    KdTree (*build)(std::span<const Triangle>, const BuildConfig&, BuildReport&, const BuildProgress&, std::stop_token);
+};
+
+[[nodiscard]] std::span<const Builder> builders();
+[[nodiscard]] const Builder* find_builder(std::string_view name);
+
+/// Builds with the builder that `config` names; InputError for an unknown name or a constant out of range.
+/// A stop request ends the build early with a valid tree whose unfinished nodes are leaves.
+[[nodiscard]] KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report = nullptr,
+                                const BuildProgress& progress = {}, std::stop_token stop = {});
+
+/// Depth limit that a config means for n triangles.
+[[nodiscard]] int depth_limit(const BuildConfig& config, std::size_t n);
+
+} // namespace kd

@@ -1,0 +1,53 @@
+// Every traversal on every machine against brute force.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/kdtree/build.h"
+
+namespace kd {
+
+struct VerifyConfig {
+    int width = 512, height = 512;
+    /// Up to this many triangles every pixel's ray is compared, above it `stratified_rays` of them.
+    std::int64_t every_pixel_limit = 12000;
+    int stratified_rays = 65536;
+    int adversarial_rays = 10000;
+    unsigned seed = 1;
+    int threads = 0;
+    std::vector<std::string> builders;      // empty = all
+    std::vector<ContextKind> contexts;      // which GL contexts to check besides the CPU; empty = none
+};
+
+struct VerifyRow {
+    std::string builder, traversal, tracer, context; // tracer "cpu" or "gl-fragment"
+    std::int64_t pixel_rays = 0, adversarial_rays = 0;
+    std::int64_t mismatches = 0; // hit or miss differs, or t differs in any bit, or u, v differ for the same triangle
+    std::int64_t ties = 0;       // same t, another triangle
+    std::int64_t counter_mismatches = 0; // GL only: counters that differ from the CPU's
+    std::string first_failure;   // ray in exact hexadecimal floats, expected and found
+    double seconds = 0;
+};
+
+struct VerifyReport {
+    std::string scene;
+    std::int64_t triangles = 0;
+    std::vector<VerifyRow> rows;
+    std::vector<std::string> notes; // contexts that are not there, modes refused and why
+    [[nodiscard]] bool passed() const;
+};
+
+/// Rays that hurt: at vertices and edges, axis-parallel with +0 and -0, in split planes, from on planes, grazing, from hits.
+[[nodiscard]] std::vector<Ray> adversarial_rays(const FlatScene& scene, const KdTree& tree, int count, unsigned seed);
+
+/// `progress` gets the fraction done and what is being checked.
+[[nodiscard]] VerifyReport verify(const FlatScene& scene, const BuildConfig& build, const VerifyConfig& config,
+                                  const std::function<void(float, const std::string&)>& progress = {},
+                                  std::stop_token stop = {});
+
+} // namespace kd

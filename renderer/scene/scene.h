@@ -1,0 +1,73 @@
+// A scene as people describe it, and the flat form that trees and tracers use.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/geometry/image.h"
+#include "renderer/geometry/triangle.h"
+#include "renderer/scene/camera.h"
+
+namespace kd {
+
+/// Indexed triangles sharing one material. `normals` and `texture_coordinates` are empty or one per position.
+struct Mesh {
+    std::string name;
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;
+    std::vector<Vec2> texture_coordinates;
+    std::vector<std::uint32_t> indices; // three per triangle, counter-clockwise seen from outside
+    int material = 0;
+};
+
+/// A mesh placed in the world.
+struct Instance {
+    int mesh = 0;
+    glm::mat4 to_world{1.0f};
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Material> materials; // see shaders/shared/types.glsl
+    std::vector<std::string> material_names;
+    std::vector<Image<Rgba8>> textures;
+    std::vector<Light> lights;
+    Vec3 ambient{0.12f};
+    Vec3 background{0.10f, 0.11f, 0.13f};
+    std::optional<Camera> camera; // fitted to the bounds where absent
+    std::vector<std::string> notes; // what loading dropped or replaced, one sentence each
+};
+
+/// Per-corner data of one triangle.
+struct TriangleAttributes {
+    Vec3 normal[3];
+    Vec2 uv[3];
+    int material = 0;
+};
+
+/// World-space triangles and all that shading needs. Triangle numbers index `triangles` and `attributes`.
+struct FlatScene {
+    std::string name;
+    std::vector<Triangle> triangles;
+    std::vector<TriangleAttributes> attributes;
+    std::vector<Material> materials; // never empty
+    std::vector<Image<Rgba8>> textures;
+    std::vector<Light> lights;
+    Vec3 ambient{0.0f};
+    Vec3 background{0.0f};
+    Aabb bounds;
+    Camera camera;
+    bool has_normals = false; // some vertex normal differs from the geometric one
+    std::vector<std::string> notes;
+};
+
+/// Applies the instance transforms (in double), drops triangles that are degenerate or not finite (counted in `notes`),
+/// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.
+[[nodiscard]] FlatScene flatten(const Scene& scene);
+
+} // namespace kd

@@ -1,0 +1,24 @@
+#include "renderer/trace/frame.h"
+
+#include <algorithm>
+
+namespace kd {
+
+Frame::Frame(int w, int h) : width(w), height(h), colour(w, h, Vec4(0))
+{
+    for (RayLayer& layer : layers) {
+        layer.hit = Image<Hit>(w, h, Hit{-1, 0.0f, 0.0f, 0.0f});
+        layer.counters = Image<RayCounters>(w, h);
+    }
+}
+
+std::vector<Tile> tiles_of(int width, int height, int size)
+{
+    std::vector<Tile> tiles;
+    for (int y = 0; y < height; y += size)
+        for (int x = 0; x < width; x += size)
+            tiles.push_back({x, y, std::min(x + size, width), std::min(y + size, height)});
+    return tiles;
+}
+
+} // namespace kd

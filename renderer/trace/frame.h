@@ -1,0 +1,49 @@
+// The result of tracing: colour, and per ray type what was hit and what it cost. The same from every tracer.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "renderer/geometry/image.h"
+#include "renderer/geometry/shared_types.h"
+
+namespace kd {
+
+/// The paper's four passes; each owns the rays it traces.
+enum class Pass { rt_prim, shade_prim, rt_refl, shade_refl };
+inline constexpr int pass_count = 4;
+inline constexpr std::array<std::string_view, pass_count> pass_names{"RTPrim", "ShadePrim", "RTRefl", "ShadeRefl"};
+/// The rays a pass traces.
+inline constexpr std::array<std::string_view, pass_count> ray_names{"primary", "shadow", "reflection", "reflection shadow"};
+
+/// Hits and counters of one pass's rays. A pixel whose pass traced nothing has hit.triangle = -1 and all counters 0.
+/// shade_*: `hit` is the first occluder found over the lights, counters are sums over the lights (maximum for
+/// stack_depth and exit_reason). rt_refl: `hit` of the first bounce, counters over all bounces.
+struct RayLayer {
+    Image<Hit> hit;
+    Image<RayCounters> counters;
+};
+
+struct Frame {
+    int width = 0;
+    int height = 0;
+    Image<Vec4> colour; // display-referred, may exceed 1, alpha 1 once traced
+    std::array<RayLayer, pass_count> layers;
+
+    Frame() = default;
+    Frame(int w, int h);
+
+    [[nodiscard]] RayLayer& layer(Pass pass) { return layers[static_cast<std::size_t>(pass)]; }
+    [[nodiscard]] const RayLayer& layer(Pass pass) const { return layers[static_cast<std::size_t>(pass)]; }
+};
+
+/// Half-open rectangle of pixels.
+struct Tile {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    bool operator==(const Tile&) const = default;
+};
+
+/// The tiles of a width x height image, row by row; `size` pixels square but for those at the right and lower edges.
+[[nodiscard]] std::vector<Tile> tiles_of(int width, int height, int size);
+
+} // namespace kd

@@ -1,0 +1,31 @@
+#include "renderer/trace/traversal.h"
+
+namespace kd {
+
+namespace {
+constexpr TraversalInfo table[] = {
+#define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
+    {Traversal::name, label, "traverse_" #name, needs_boxes, needs_stack, summary},
+#include "shaders/shared/traversals.glsl"
+#undef KD_TRAVERSAL
+};
+} // namespace
+
+std::span<const TraversalInfo> traversals()
+{
+    return table;
+}
+
+const TraversalInfo& info(Traversal traversal)
+{
+    return table[static_cast<std::size_t>(traversal)];
+}
+
+std::optional<Traversal> find_traversal(std::string_view name)
+{
+    for (const TraversalInfo& t : table)
+        if (t.name == name) return t.id;
+    return std::nullopt;
+}
+
+} // namespace kd

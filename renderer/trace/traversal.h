@@ -1,0 +1,29 @@
+// The traversals by name; the table itself is shaders/shared/traversals.glsl.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace kd {
+
+enum class Traversal {
+#define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary) name,
+#include "shaders/shared/traversals.glsl"
+#undef KD_TRAVERSAL
+};
+
+struct TraversalInfo {
+    Traversal id;
+    std::string_view name;     // on the command line
+    std::string_view function; // in the shared text
+    bool needs_boxes;          // reads the box of every node
+    bool needs_stack;
+    std::string_view summary;
+};
+
+[[nodiscard]] std::span<const TraversalInfo> traversals();
+[[nodiscard]] const TraversalInfo& info(Traversal traversal);
+[[nodiscard]] std::optional<Traversal> find_traversal(std::string_view name);
+
+} // namespace kd

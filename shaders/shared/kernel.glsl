@@ -1,0 +1,28 @@
+// The whole tracer, written once. A host includes types.glsl, counters.glsl and constants.glsl, defines the hooks below,
+// then includes this file: GLSL at file scope, C++ inside a class template (renderer/trace/kernel.h).
+//
+// Data:     KdNode fetch_node(int node)                     int fetch_reference(int slot)
+//           void fetch_node_box(int node, OUT lower, OUT upper)   void fetch_bounds(OUT lower, OUT upper)
+//           void fetch_corners(int slot, int triangle, int3 axes, OUT a, OUT b, OUT c)   slot is -1 outside leaf lists
+//           void fetch_normals(int triangle, OUT a, OUT b, OUT c)  real2 fetch_texture_coordinates(int triangle, real u, real v)
+//           int fetch_material_index(int triangle)          Material fetch_material(int)   Light fetch_light(int)
+//           int2 fetch_texture_size(int)                    real3 fetch_texel(int texture, int x, int y)
+//           int triangle_count()   int light_count()        int step_budget()
+// Settings: bool scene_has_normals()   bool scene_has_textures()   bool shadows_enabled()
+//           real3 scene_ambient()      real3 scene_background()
+// Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
+//           on_restart()  on_backtrack()  on_exit(int reason)
+// Macros:   KD_TRAVERSE (function to call), KD_STACK_SIZE, KD_FN, KD_CONST, KD_RARE, PRECISE, OUT, INOUT
+
+#include "vector.glsl"
+#include "ray.glsl"
+#include "box.glsl"
+#include "triangle.glsl"
+#include "split_rule.glsl"
+#include "leaf.glsl"
+#include "traversals.glsl"
+#include "traverse.glsl"
+#include "camera.glsl"
+#include "surface.glsl"
+#include "lighting.glsl"
+#include "passes.glsl"

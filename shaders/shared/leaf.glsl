@@ -1,0 +1,35 @@
+// Leaves, and how a walk begins.
+
+/// Tests every triangle of a leaf. A hit outside the leaf's cell is kept: the nearest over all leaves wins.
+KD_FN void test_leaf(RaySetup s, KdNode leaf, INOUT(Hit) hit)
+{
+    for (int i = 0; i < leaf.count; ++i) {
+        int slot = leaf.link + i;
+        on_triangle(slot);
+        intersect_triangle(s, slot, fetch_reference(slot), hit);
+    }
+}
+
+/// Cuts the ray to the tree's bounds. False, with the exit reason told, where the ray is invalid or misses them.
+KD_FN bool enter_tree(RaySetup s, OUT(real) t_begin, OUT(real) t_end)
+{
+    t_begin = s.ray.t_min;
+    t_end = s.ray.t_max;
+    if (!valid_ray(s.ray)) {
+        on_exit(KD_EXIT_INVALID_RAY);
+        return false;
+    }
+    real3 lower;
+    real3 upper;
+    fetch_bounds(lower, upper);
+    if (!clip_to_box(s, lower, upper, t_begin, t_end)) {
+        on_exit(KD_EXIT_MISS);
+        return false;
+    }
+    return true;
+}
+
+KD_FN void finish_walk(Hit hit)
+{
+    on_exit(hit.triangle >= 0 ? KD_EXIT_HIT : KD_EXIT_MISS);
+}

@@ -1,0 +1,67 @@
+// The lighting equation of the fixed-function pipelines that the paper names (its section 3.2.2): ambient, Lambert
+// diffuse, Blinn-Phong specular; point, directional and spot lights; shadows by one ray per light.
+
+/// Where a light lies as seen from a point: unit direction towards it, distance, and colour reaching the point unshadowed.
+struct LightSample {
+    real3 direction;
+    real distance;
+    real3 colour;
+};
+
+KD_FN LightSample sample_light(Light light, real3 position)
+{
+    LightSample s;
+    if (light.kind == KD_LIGHT_DIRECTIONAL) {
+        s.direction = -light.direction;
+        s.distance = KD_T_LIMIT;
+        s.colour = light.colour;
+        return s;
+    }
+    real3 towards = light.position - position;
+    PRECISE real squared = dot3(towards, towards);
+    s.distance = sqrt(squared);
+    s.direction = normalise3(towards);
+    // Kept finite for a light that lies on the surface.
+    PRECISE real falloff = max(light.attenuation.x + light.attenuation.y * squared, real(1e-6));
+    PRECISE real strength = real(1) / falloff;
+    if (light.range > real(0) && s.distance > light.range) strength = real(0);
+    if (light.kind == KD_LIGHT_SPOT) {
+        real cosine = -dot3(s.direction, light.direction);
+        real width = max(light.cos_inner - light.cos_outer, real(1e-6));
+        real edge = min(max((cosine - light.cos_outer) / width, real(0)), real(1));
+        strength = strength * edge * edge;
+    }
+    s.colour = scale3(light.colour, strength);
+    return s;
+}
+
+/// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
+/// `first_blocked` receives the first one's hit that found an occluder.
+KD_FN real3 light_surface(Ray ray, Surface s, INOUT(Hit) first_blocked)
+{
+    real3 total = s.material.diffuse * scene_ambient();
+    real3 to_viewer = -normalise3(ray.direction);
+    int count = light_count();
+    for (int i = 0; i < count; ++i) {
+        LightSample light = sample_light(fetch_light(i), s.position);
+        real cosine = dot3(s.shading, light.direction);
+        bool facing = cosine > real(0) && dot3(s.geometric, light.direction) > real(0) && max_component(light.colour) > real(0);
+        if (facing && shadows_enabled()) {
+            // A shadow ray ends short of the light by its own rounding.
+            Ray shadow = leave_surface(s, light.direction, light.distance * (real(1) - real(8) * KD_T_PADDING));
+            Hit blocker = no_hit(shadow);
+            traverse(shadow, true, blocker);
+            if (blocker.triangle >= 0) {
+                facing = false;
+                if (first_blocked.triangle < 0) first_blocked = blocker;
+            }
+        }
+        if (facing) {
+            real3 halfway = normalise3(light.direction + to_viewer);
+            real gloss = max(dot3(s.shading, halfway), real(0));
+            real highlight = gloss > real(0) ? pow(gloss, s.material.shininess) : real(0);
+            total = total + light.colour * add_scaled3(scale3(s.material.diffuse, cosine), s.material.specular, highlight);
+        }
+    }
+    return total;
+}

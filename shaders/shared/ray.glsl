@@ -1,0 +1,72 @@
+// What is computed once per ray: reciprocal directions for the planes and the shear of the watertight triangle test.
+
+/// `axes` orders the axes so that z is the direction's largest component; `shear` maps the direction to (0, 0, 1).
+/// `inverse` holds 1/d, and 0 where d is zero (no infinity is ever made).
+struct RaySetup {
+    Ray ray;
+    real3 inverse;
+    int3 axes;
+    real3 shear;
+    real3 permuted_origin;
+};
+
+KD_FN bool finite3(real3 a, real limit)
+{
+    // Written so that NaN fails.
+    return abs(a.x) <= limit && abs(a.y) <= limit && abs(a.z) <= limit;
+}
+
+/// True where the ray can be traced: finite, with a direction, and an interval that holds something.
+KD_FN bool valid_ray(Ray ray)
+{
+    real largest = max_component(abs(ray.direction));
+    return finite3(ray.origin, KD_COORDINATE_LIMIT) && finite3(ray.direction, KD_COORDINATE_LIMIT) &&
+           largest > real(1e-30) && ray.t_min >= real(0) && ray.t_min < ray.t_max;
+}
+
+KD_FN real inverse_or_zero(real d)
+{
+    return d == real(0) ? real(0) : real(1) / d;
+}
+
+KD_FN int largest_axis(real3 a)
+{
+    if (a.x > a.y) return a.x > a.z ? 0 : 2;
+    return a.y > a.z ? 1 : 2;
+}
+
+/// Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.1. Winding is not kept:
+/// both faces count, so the axes need no swap.
+KD_FN RaySetup setup_ray(Ray ray)
+{
+    RaySetup s;
+    s.ray = ray;
+    s.ray.t_max = min(ray.t_max, KD_T_LIMIT);
+    s.inverse = real3(inverse_or_zero(ray.direction.x), inverse_or_zero(ray.direction.y), inverse_or_zero(ray.direction.z));
+    int z = largest_axis(abs(ray.direction));
+    int x = z == 2 ? 0 : z + 1;
+    int y = x == 2 ? 0 : x + 1;
+    s.axes = int3(x, y, z);
+    PRECISE real shear_x = ray.direction[x] / ray.direction[z];
+    PRECISE real shear_y = ray.direction[y] / ray.direction[z];
+    PRECISE real shear_z = real(1) / ray.direction[z];
+    s.shear = real3(shear_x, shear_y, shear_z);
+    s.permuted_origin = real3(ray.origin[x], ray.origin[y], ray.origin[z]);
+    return s;
+}
+
+KD_FN Hit no_hit(Ray ray)
+{
+    Hit hit;
+    hit.triangle = -1;
+    hit.t = min(ray.t_max, KD_T_LIMIT);
+    hit.u = real(0);
+    hit.v = real(0);
+    return hit;
+}
+
+/// A cell that begins at `t_begin` can no longer hold the nearest hit. A tie in a neighbouring leaf is still looked at.
+KD_FN bool beyond_hit(Hit hit, real t_begin)
+{
+    return hit.t * (real(1) + KD_T_PADDING) < t_begin;
+}

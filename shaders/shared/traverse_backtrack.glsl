@@ -1,0 +1,77 @@
+// kd-backtrack (Foley & Sugerman, Graphics Hardware 2005): no stack; after each leaf the walk climbs parent links until a
+// far child is still to be visited. Needs the box of every node. Progress is by child identity: a node is entered from
+// its parent, then left through its near child, then through its far child, and never again.
+
+KD_FN void traverse_backtrack(RaySetup s, bool any_hit, INOUT(Hit) hit)
+{
+    real root_begin;
+    real root_end;
+    if (!enter_tree(s, root_begin, root_end)) return;
+
+    real t_begin = root_begin;
+    real t_end = root_end;
+    int node = 0;
+    int budget = step_budget();
+
+    while (true) {
+        KdNode n = fetch_node(node);
+
+        // Descend to a leaf.
+        while (n.flag != KD_LEAF && budget > 0) {
+            --budget;
+            on_interior(node, false);
+            bool below_first;
+            real near_end;
+            real far_begin;
+            int visit = visit_children(s, n.flag, n.split, t_begin, t_end, below_first, near_end, far_begin);
+            if (visit == KD_VISIT_BOTH) t_end = near_end;
+            node = child_of(node, n, below_first != (visit == KD_VISIT_FAR));
+            n = fetch_node(node);
+        }
+
+        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
+        if (KD_RARE(budget <= 0)) {
+            on_exit(KD_EXIT_STEP_CAP);
+            return;
+        }
+        on_leaf(node);
+        test_leaf(s, n, hit);
+        if (any_hit && hit.triangle >= 0) break;
+        if (n.parent < 0) break;
+
+        // Climb until a far child's box still meets the ray before the nearest hit.
+        on_backtrack();
+        bool found = false;
+        int parent = n.parent;
+        while (parent >= 0 && !found && budget > 0) {
+            --budget;
+            int child = node;
+            node = parent;
+            n = fetch_node(node);
+            on_interior(node, true);
+            real origin = s.ray.origin[n.flag];
+            bool below_first = origin < n.split || (origin == n.split && s.ray.direction[n.flag] <= real(0));
+            if (child == child_of(node, n, below_first)) {
+                int far_child = child_of(node, n, !below_first);
+                real3 lower;
+                real3 upper;
+                fetch_node_box(far_child, lower, upper);
+                t_begin = root_begin;
+                t_end = root_end;
+                if (clip_to_box(s, lower, upper, t_begin, t_end) && !beyond_hit(hit, t_begin)) {
+                    node = far_child;
+                    found = true;
+                }
+            }
+            parent = n.parent;
+        }
+        if (!found) {
+            if (KD_RARE(budget <= 0)) {
+                on_exit(KD_EXIT_STEP_CAP);
+                return;
+            }
+            break;
+        }
+    }
+    finish_walk(hit);
+}

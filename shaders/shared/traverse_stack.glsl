@@ -1,0 +1,66 @@
+// Depth-first, near child first, far children on a stack: the paper's CPURT.
+
+KD_FN void traverse_stack(RaySetup s, bool any_hit, INOUT(Hit) hit)
+{
+    real t_begin;
+    real t_end;
+    if (!enter_tree(s, t_begin, t_end)) return;
+
+    int stack_node[KD_STACK_SIZE];
+    real stack_begin[KD_STACK_SIZE];
+    real stack_end[KD_STACK_SIZE];
+    int depth = 0;
+    int node = 0;
+    int budget = step_budget();
+
+    while (true) {
+        KdNode n = fetch_node(node);
+
+        // Descend to a leaf, leaving far children on the stack.
+        while (n.flag != KD_LEAF && budget > 0) {
+            --budget;
+            on_interior(node, false);
+            bool below_first;
+            real near_end;
+            real far_begin;
+            int visit = visit_children(s, n.flag, n.split, t_begin, t_end, below_first, near_end, far_begin);
+            if (visit == KD_VISIT_BOTH) {
+                if (depth == KD_STACK_SIZE) {
+                    on_exit(KD_EXIT_STACK_OVERFLOW);
+                    return;
+                }
+                stack_node[depth] = child_of(node, n, !below_first);
+                stack_begin[depth] = far_begin;
+                stack_end[depth] = t_end;
+                ++depth;
+                on_push(depth);
+                t_end = near_end;
+            }
+            node = child_of(node, n, below_first != (visit == KD_VISIT_FAR));
+            n = fetch_node(node);
+        }
+
+        // Test it.
+        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
+        if (KD_RARE(budget <= 0)) {
+            on_exit(KD_EXIT_STEP_CAP);
+            return;
+        }
+        on_leaf(node);
+        test_leaf(s, n, hit);
+        if (any_hit && hit.triangle >= 0) break;
+
+        // Take the next pending cell that can still hold a nearer hit. Pending cells are not sorted by t where a ray
+        // runs inside a plane, so a far one is passed over, never a reason to stop.
+        bool found = false;
+        while (depth > 0 && !found) {
+            --depth;
+            found = !beyond_hit(hit, stack_begin[depth]);
+        }
+        if (!found) break;
+        node = stack_node[depth];
+        t_begin = stack_begin[depth];
+        t_end = stack_end[depth];
+    }
+    finish_walk(hit);
+}

@@ -1,0 +1,42 @@
+// Watertight ray-triangle test: Woop, Benthin, Wald, JCGT 2(1), 2013. Two triangles that share an edge evaluate the
+// same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
+
+/// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
+/// the lowest triangle number wins. Comparisons are written so that NaN means no hit.
+KD_FN void intersect_triangle(RaySetup s, int slot, int triangle, INOUT(Hit) hit)
+{
+    real3 a;
+    real3 b;
+    real3 c;
+    fetch_corners(slot, triangle, s.axes, a, b, c);
+    a = a - s.permuted_origin;
+    b = b - s.permuted_origin;
+    c = c - s.permuted_origin;
+
+    PRECISE real ax = a.x - s.shear.x * a.z;
+    PRECISE real ay = a.y - s.shear.y * a.z;
+    PRECISE real bx = b.x - s.shear.x * b.z;
+    PRECISE real by = b.y - s.shear.y * b.z;
+    PRECISE real cx = c.x - s.shear.x * c.z;
+    PRECISE real cy = c.y - s.shear.y * c.z;
+
+    PRECISE real edge_a = cx * by - cy * bx;
+    PRECISE real edge_b = ax * cy - ay * cx;
+    PRECISE real edge_c = bx * ay - by * ax;
+    if ((edge_a < real(0) || edge_b < real(0) || edge_c < real(0)) &&
+        (edge_a > real(0) || edge_b > real(0) || edge_c > real(0))) return;
+
+    PRECISE real determinant = edge_a + edge_b + edge_c;
+    if (determinant == real(0)) return;
+
+    PRECISE real scaled_t = edge_a * (s.shear.z * a.z) + edge_b * (s.shear.z * b.z) + edge_c * (s.shear.z * c.z);
+    PRECISE real t = scaled_t / determinant;
+    if (!(t > s.ray.t_min)) return;
+    if (!(t < hit.t || (t == hit.t && triangle < hit.triangle))) return;
+    if (triangle == s.ray.source) return;
+
+    hit.triangle = triangle;
+    hit.t = t;
+    hit.u = edge_b / determinant;
+    hit.v = edge_c / determinant;
+}
