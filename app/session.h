@@ -5,24 +5,14 @@
 #include <string>
 
 #include "renderer/kdtree/build.h"
-#include "renderer/scene/camera.h"
+#include "renderer/scene/scene.h"
 #include "renderer/trace/trace_config.h"
-#include "viz/heatmap.h"
-#include "viz/overlay.h"
+#include "viz/view_config.h"
 
 namespace kd {
 
 /// cpu = shared text on the CPU; gl_fragment = the four passes.
 enum class TracerKind { cpu, gl_fragment };
-
-struct ViewConfig {
-    bool show_map = true;
-    MapConfig map;
-    HeatmapConfig heat{.opacity = 0.5f};
-    OverlayConfig overlay;
-
-    bool operator==(const ViewConfig&) const = default;
-};
 
 struct Session {
     std::string scene = "ball:9000"; // procedural name or file
@@ -38,7 +28,11 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// A procedural scene or a glTF file. InputError.
+/// A procedural scene ("ball:9000"), a .gltf or .glb file, or the name of a scene that comes with the program.
+/// InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
+
+/// True where `name` reads like a scene, whether or not it can be loaded.
+[[nodiscard]] bool names_scene(const std::string& name);
 
 } // namespace kd

@@ -12,7 +12,7 @@ build_packages=(
     fonts-inter fonts-dejavu-core
     libosmesa6-dev libosmesa6)
 test_packages=(
-    libgtest-dev librapidcheck-dev libbenchmark-dev libembree-dev assimp-testmodels
+    libgtest-dev librapidcheck-dev libembree-dev assimp-testmodels
     xvfb xauth xdotool imagemagick)
 # Not every distribution has these; the program and its tests do without.
 optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core ccache xdotool "

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -53,9 +52,9 @@ constexpr auto turbo =
              0x1ee8b0, 0x31f299, 0x4cf97e, 0x6bfd64, 0x8aff4d, 0xa3fd3c, 0xb8f735, 0xcced34, 0xdee037, 0xedd03a, 0xf8c03a,
              0xfdae35, 0xfe982c, 0xfb8022, 0xf56817, 0xec520f, 0xe04009, 0xd23105, 0xc02302, 0xac1701, 0x950d01, 0x7a0403});
 constexpr auto grey = colours({0x000000, 0xffffff});
-// Our own: equal luminance on both arms (within 0.02), light neutral centre.
+// Our own: equal luminance on both arms (within 0.01), light neutral centre.
 constexpr auto blue_grey_orange = colours(
-    {0x0f3a80, 0x2560a8, 0x5288c4, 0x94b3d1, 0xd4d4d4, 0xddac85, 0xc78043, 0x9b571a, 0x653203});
+    {0x0f3a80, 0x2560a8, 0x5288c4, 0x94b3d1, 0xd4d4d4, 0xd6a680, 0xb8763d, 0x8f5017, 0x613003});
 
 constexpr std::array<Colormap, 8> table{{
     {"viridis", "dark blue to yellow; even steps look even, and stay so without colour vision", false, viridis},
@@ -69,11 +68,11 @@ constexpr std::array<Colormap, 8> table{{
 }};
 
 constexpr auto categories =
-    colours({0x56b4e9, 0x3c6e8f, 0xe69f00, 0xd55e00, 0xcc79a7, 0x009e73, 0xf0e442, 0x9a9aa2});
+    colours({0x31536b, 0x56b4e9, 0xe69f00, 0xd55e00, 0xcc79a7, 0x009e73, 0xf0e442, 0x9a9aa2});
 
 unsigned char mix_channel(unsigned char a, unsigned char b, float x) {
     const float value = float(a) + (float(b) - float(a)) * x;
-    return static_cast<unsigned char>(std::lround(value));
+    return static_cast<unsigned char>(value + 0.5f);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "viz/colormap.h"
@@ -21,33 +22,35 @@ struct HeatmapConfig {
     bool operator==(const HeatmapConfig&) const = default;
 };
 
-struct ValueRange {
-    float min = 0, max = 1;
-    bool operator==(const ValueRange&) const = default;
-};
-
 /// Statistics of the finite values.
 struct MapSummary {
-    std::int64_t count = 0, missing = 0, below = 0, above = 0; // below/above the range
+    std::int64_t count = 0;                // finite values
+    std::int64_t missing = 0, broken = 0;  // NaN = no value; infinite
+    std::int64_t below = 0, above = 0;     // outside of the range; on a log scale all values <= 0 are below
     double sum = 0, mean = 0;
-    float min = 0, max = 0, median = 0, p95 = 0;
-    ValueRange range;                     // that was used
-    std::vector<std::int64_t> histogram;  // equal bins over the range, on the scale (linear or log) in use
+    float min = 0, max = 0, median = 0, p95 = 0; // nearest-rank percentiles
+    ValueRange range;                            // that was used
+    /// Equal bins over the range, on the scale (linear or log) in use. With `below` and `above` they add up to `count`.
+    std::vector<std::int64_t> histogram;
 };
 
-/// Automatic range: 0 (or the least value for log and signed maps) to the 99.5th percentile, never empty.
+/// Automatic range: 0 (or the least value for log and signed maps) to the 99.5th percentile, or the quantity's natural range on
+/// a linear scale; symmetric about 0 for a diverging colour map. A fixed range is repaired where it is empty, reversed, not
+/// finite or, for log, not positive. Always max > min, and min > 0 for log.
 [[nodiscard]] ValueRange choose_range(const ScalarMap& map, const HeatmapConfig& config);
+/// Over choose_range(map, config).
 [[nodiscard]] MapSummary summarise_map(const ScalarMap& map, const HeatmapConfig& config, int bins = 64);
 
-/// Position of a value on the colour map, 0..1 clamped; NaN stays NaN.
+/// Position of a value on the colour map, 0..1 clamped; NaN stays NaN. On a log scale values <= 0 are at 0.
 [[nodiscard]] float map_position(float value, ValueRange range, bool logarithmic);
 
+/// NaN in untraced_colour, infinities in nan_colour; categories in category_colour. Ignores the opacity.
 [[nodiscard]] Image<Rgba8> paint_map(const ScalarMap& map, const HeatmapConfig& config, ValueRange range);
 
-/// Frame colour to 8 bits: clamp, round to nearest; untraced pixels in untraced_colour.
+/// Frame colour to 8 bits: clamp, round to nearest; untraced pixels in untraced_colour, not-a-number in nan_colour.
 [[nodiscard]] Image<Rgba8> paint_beauty(const Frame& frame);
 
-/// `top` over `bottom` with the given opacity.
+/// `top` over `bottom` with the given opacity (times its alpha); opaque result. Both must be of one size.
 [[nodiscard]] Image<Rgba8> blend(const Image<Rgba8>& bottom, const Image<Rgba8>& top, float opacity);
 
 } // namespace kd

@@ -6,16 +6,17 @@
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/camera.h"
-#include "viz/heatmap.h"
+#include "renderer/trace/frame.h"
+#include "viz/text.h"
 
 namespace kd {
 
 struct OverlayConfig {
     bool show = false;
-    int max_depth = 6;            // cells down to this depth
-    bool planes = true;           // outlines of split planes
-    bool boxes = true;            // outlines of the cells at max_depth (or leaves above it)
-    bool hidden_line = true;      // hide what lies behind the surface seen
+    int max_depth = 6;        // cells down to this depth
+    bool planes = true;       // outlines of split planes
+    bool boxes = true;        // outlines of the cells at max_depth (or leaves above it)
+    bool hidden_line = true;  // hide what lies behind the surface seen; otherwise it shows faintly
     float opacity = 0.9f;
 
     bool operator==(const OverlayConfig&) const = default;
@@ -28,15 +29,22 @@ struct WorldLine {
     int node;
 };
 
-/// Outlines of splits and cells down to max_depth; at most `limit` lines, shallowest first.
+/// Outlines of splits and cells down to max_depth; at most `limit` lines, shallowest first. Each node's outline is whole or absent.
 [[nodiscard]] std::vector<WorldLine> split_lines(const KdTree& tree, const OverlayConfig& config, std::size_t limit = 200000);
 
-/// Outlines of the cells that a ray's walk visits (its leaves and their ancestors' splits), in order.
+/// Outlines of the leaves that a ray meets up to `t_end`, in order, each after the splits above it that are not shown yet.
 [[nodiscard]] std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end);
 
-/// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; hidden where behind `frame`'s primary
-/// hit if `hidden_line`. `camera` must be the one the frame was traced with.
+/// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit they are
+/// left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and `image` and
+/// `frame` of one size. Where lines cross, the one nearer the start of the list is on top.
 void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera, const Frame& frame,
                 const OverlayConfig& config);
+
+/// Colour of lines at `depth`: pale yellow at the root to purple at max_depth and below.
+[[nodiscard]] Rgba8 depth_colour(int depth, int max_depth);
+
+/// What the colours mean: a swatch for each depth from 0 to the deepest shown.
+[[nodiscard]] Image<Rgba8> draw_depth_legend(const OverlayConfig& config, int deepest, const Font& font, int scale = 1);
 
 } // namespace kd

@@ -6,8 +6,9 @@ template <class Observer, Traversal chosen>
 class Kernel {
 public:
     Kernel(const SceneView& scene_view, Observer& first)
-        : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()), view(scene_view),
-          observer(&first)
+        : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
+          corners(scene_view.scene->triangles.data()), duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr),
+          view(scene_view), observer(&first)
     {
     }
 
@@ -16,6 +17,8 @@ public:
 private:
     const TreeNode* nodes;
     const std::int32_t* references;
+    const Triangle* corners;    // by triangle number
+    const Triangle* duplicates; // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
     Observer* observer;
 
@@ -49,9 +52,7 @@ private:
     // Triangles and attributes.
     KD_FN void fetch_corners(int slot, int triangle, int3 axes, real3& a, real3& b, real3& c) const
     {
-        const bool copy = view.duplicated && slot >= 0;
-        const Triangle* table = copy ? view.duplicated_corners.data() : view.scene->triangles.data();
-        const float* p = &table[copy ? slot : triangle].corner[0].x;
+        const float* p = &(duplicates && slot >= 0 ? duplicates[slot] : corners[triangle]).corner[0].x;
         a = real3(p[axes.x], p[axes.y], p[axes.z]);
         b = real3(p[3 + axes.x], p[3 + axes.y], p[3 + axes.z]);
         c = real3(p[6 + axes.x], p[6 + axes.y], p[6 + axes.z]);
@@ -102,7 +103,7 @@ public:
 #undef KD_STACK_SIZE
 
 private:
-    void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit)
+    KD_FN void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit)
     {
 #define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
     if constexpr (chosen == Traversal::name) traverse_##name(s, any_hit, hit);

@@ -12,7 +12,9 @@
 
 #define OUT(T) T&
 #define INOUT(T) T&
+#define IN(T) const T&
 #define PRECISE
+#define AXIS(vector, axis) (&(vector).x)[axis] // glm's own [] branches on the index
 #define KD_FN [[gnu::always_inline]] inline
 #define KD_CONST(T) static constexpr T
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)

@@ -2,20 +2,33 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/trace/frame.h"
 
 namespace kd {
 
-/// Rays from CSV text with header ox,oy,oz,dx,dy,dz[,tmin,tmax]; numbers decimal or hexadecimal floats, independent of
-/// locale. InputError: file, line, column, reason.
+/// Rays from CSV text with header ox,oy,oz,dx,dy,dz[,tmin,tmax], columns in any order; numbers decimal or hexadecimal
+/// floats, independent of locale. tmin is 0 and tmax KD_T_LIMIT where the column is absent, and an infinite tmax is
+/// KD_T_LIMIT. Blank lines are passed over. Whether a ray can be traced is for the tracer to say (valid_ray).
+/// InputError: "rays.csv:12: column dx: 'abc' is not a number".
 [[nodiscard]] std::vector<Ray> read_rays_csv(const std::filesystem::path& path);
 
-/// One row per pixel: x, y, triangle, t, u, v and every counter of every pass that ran.
+/// What read_rays_csv reads back bit for bit: all eight columns, hexadecimal floats. `source` is not kept.
+[[nodiscard]] std::string rays_csv(std::span<const Ray> rays);
+
+/// C notation, exact: 1.5 is "0x1.8p+0".
+[[nodiscard]] std::string hex_float(float value);
+
+/// One row per pixel, row by row from the top: x, y, then for every pass that ran triangle, t, u, v, every counter and
+/// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the other
+/// passes where some pixel traced something. Floats are the shortest decimals that give the same float back.
 [[nodiscard]] std::string frame_csv(const Frame& frame);
 
-/// EXR with one float channel per counter of the primary rays, and t.
+/// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t (the ray's
+/// t_max where nothing was hit). InputError naming path and reason.
 void write_frame_exr(const std::filesystem::path& path, const Frame& frame);
 
 } // namespace kd

@@ -26,9 +26,11 @@ struct BuildConfig {
     int leaf_size = 1;
     /// 0 = 8 + 1.6 log2(N); never above max_tree_depth.
     int max_depth = 0;
-    /// How often on one path a split may cost more than it saves before the node becomes a leaf.
+    /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).
     int bad_refines = 3;
-    /// The build stops splitting when references exceed this many per triangle; told in BuildReport::reference_cap_hit.
+    /// The tree never holds more references than this many per triangle. Children share their parent's allowance in
+    /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the scene
+    /// starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
     float reference_cap = 64.0f;
 
     bool operator==(const BuildConfig&) const = default;
@@ -44,17 +46,27 @@ struct BuildReport {
 /// Called now and then with the fraction done, 0..1, from the building thread.
 using BuildProgress = std::function<void(float)>;
 
+/// What build_tree() hands to a builder, already checked: constants in range, triangles finite.
+struct BuildTask {
+    std::span<const Triangle> triangles;
+    const BuildConfig& config;
+    BuildReport& report;
+    const BuildProgress& progress; // may be empty
+    std::stop_token stop;
+};
+
 struct Builder {
     std::string_view name;    // "paper"
     std::string_view title;   // "SAH as in the paper"
     std::string_view summary; // one sentence
-    KdTree (*build)(std::span<const Triangle>, const BuildConfig&, BuildReport&, const BuildProgress&, std::stop_token);
+    KdTree (*build)(const BuildTask&);
 };
 
 [[nodiscard]] std::span<const Builder> builders();
 [[nodiscard]] const Builder* find_builder(std::string_view name);
 
-/// Builds with the builder that `config` names; InputError for an unknown name or a constant out of range.
+/// Builds with the builder that `config` names; InputError for an unknown name, a constant out of range or a triangle
+/// that is not finite.
 /// A stop request ends the build early with a valid tree whose unfinished nodes are leaves.
 [[nodiscard]] KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report = nullptr,
                                 const BuildProgress& progress = {}, std::stop_token stop = {});

@@ -40,6 +40,8 @@ struct KdTree {
     bool operator==(const KdTree&) const = default;
 };
 
+// The functions below ask for a tree that validate() finds no fault with.
+
 /// The cell of every node, by splitting the bounds from the root down: what kd-backtrack reads.
 [[nodiscard]] std::vector<Aabb> node_boxes(const KdTree& tree);
 

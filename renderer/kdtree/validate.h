@@ -14,9 +14,17 @@ struct Violation {
     std::string message;
 };
 
-/// Links in range, each node reached once, children inside and tiling their parent, parent links right, splits finite and
-/// strictly inside their cell, every triangle in every leaf whose closed cell its surface touches (by box overlap at
-/// least: a triangle must stand in some leaf, and each leaf's triangles must touch its cell). Stops after `limit` findings.
+/// Safe on any tree, however damaged. Checks that
+/// - links are in range, every node is reached once, in depth-first order, and parent links point back;
+/// - splits are finite and strictly inside their cell, so that children tile their parent;
+/// - no leaf is deeper than max_tree_depth;
+/// - leaf lists are in range, share no entry and leave none over;
+/// - a leaf names no triangle twice, and only triangles whose box touches its closed cell;
+/// - the bounds hold every triangle;
+/// and, where all of this holds, that no triangle can be missed:
+/// - each corner of each triangle lies in the closed cell of a leaf that names the triangle;
+/// - a leaf names every triangle whose surface passes through the inside of its cell (of a flat cell: touches it).
+/// Stops after `limit` findings.
 [[nodiscard]] std::vector<Violation> validate(const KdTree& tree, std::span<const Triangle> triangles, std::size_t limit = 20);
 
 } // namespace kd

@@ -21,9 +21,10 @@ struct Contestant {
 };
 
 /// Runs every contestant `warmup` times, then all of them in turn, `rounds` times.
-[[nodiscard]] std::vector<TimeSummary> time_interleaved(const std::vector<Contestant>& contestants, int warmup, int rounds);
+[[nodiscard]] std::vector<TimeSummary> time_interleaved(const std::vector<Contestant>& contestants, int warmup,
+                                                        int rounds);
 
 /// Wall clock of one call, in ms.
 [[nodiscard]] double wall_ms(const std::function<void()>& work);
 
-} // namespace kd
+}  // namespace kd

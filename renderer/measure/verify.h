@@ -1,4 +1,4 @@
-// Every traversal on every machine against brute force.
+// Every traversal on every machine against brute force: the naive traversal on the CPU, over the same rays.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,23 @@ struct VerifyConfig {
     int adversarial_rays = 10000;
     unsigned seed = 1;
     int threads = 0;
-    std::vector<std::string> builders;      // empty = all
-    std::vector<ContextKind> contexts;      // which GL contexts to check besides the CPU; empty = none
+    std::vector<std::string> builders;    // empty = all
+    std::vector<std::string> traversals;  // empty = all
+    bool cpu = true;                      // check the CPU tracer
+    std::vector<ContextKind> contexts;    // which GL contexts to check besides the CPU; empty = none
+    /// Ray-triangle products that the naive traversal is given on one GL context; fewer rays are checked above it.
+    std::int64_t gl_naive_tests = 400'000'000;
 };
 
 struct VerifyRow {
-    std::string builder, traversal, tracer, context; // tracer "cpu" or "gl-fragment"
+    std::string builder, traversal, tracer,
+        context;             // tracer "cpu" or "gl-fragment"; builder "-" where no tree is used
+    std::string leaf_lists;  // "references" or "duplicated"
     std::int64_t pixel_rays = 0, adversarial_rays = 0;
-    std::int64_t mismatches = 0; // hit or miss differs, or t differs in any bit, or u, v differ for the same triangle
-    std::int64_t ties = 0;       // same t, another triangle
-    std::int64_t counter_mismatches = 0; // GL only: counters that differ from the CPU's
-    std::string first_failure;   // ray in exact hexadecimal floats, expected and found
+    std::int64_t mismatches = 0;  // hit or miss differs, or t differs in any bit, or u, v differ for the same triangle
+    std::int64_t ties = 0;        // same t, another triangle
+    std::int64_t counter_mismatches = 0;  // GL only: counters that differ from the CPU's
+    std::string first_failure;            // ray in exact hexadecimal floats, expected and found
     double seconds = 0;
 };
 
@@ -38,7 +44,11 @@ struct VerifyReport {
     std::string scene;
     std::int64_t triangles = 0;
     std::vector<VerifyRow> rows;
-    std::vector<std::string> notes; // contexts that are not there, modes refused and why
+    std::vector<std::string> notes;  // contexts that are not there, modes refused and why
+    /// What validate() found wrong with a tree, one line each.
+    std::vector<std::string> violations;
+    bool complete = true;  // false where stopped before the end
+    /// True where at least one row was checked and nothing is wrong. Ties are no fault.
     [[nodiscard]] bool passed() const;
 };
 
@@ -50,4 +60,4 @@ struct VerifyReport {
                                   const std::function<void(float, const std::string&)>& progress = {},
                                   std::stop_token stop = {});
 
-} // namespace kd
+}  // namespace kd

@@ -14,6 +14,7 @@ namespace kd {
 struct ProceduralScene {
     std::string_view name;    // "ball"
     int default_size;         // N where none is given; 0 = the scene takes no size
+    int smallest_size;        // N must lie in smallest_size..largest_size
     int largest_size;
     std::string_view summary; // one sentence
     Scene (*make)(int size, unsigned seed);

@@ -15,11 +15,11 @@ namespace kd {
 
 /// Indexed triangles sharing one material. `normals` and `texture_coordinates` are empty or one per position.
 struct Mesh {
-    std::string name;
-    std::vector<Vec3> positions;
-    std::vector<Vec3> normals;
-    std::vector<Vec2> texture_coordinates;
-    std::vector<std::uint32_t> indices; // three per triangle, counter-clockwise seen from outside
+    std::string name{};
+    std::vector<Vec3> positions{};
+    std::vector<Vec3> normals{};
+    std::vector<Vec2> texture_coordinates{};
+    std::vector<std::uint32_t> indices{}; // three per triangle, counter-clockwise seen from outside
     int material = 0;
 };
 

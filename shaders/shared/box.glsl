@@ -2,15 +2,15 @@
 
 /// Cuts [t_begin, t_end] to the part inside the closed box; false where nothing is left. The interval is padded
 /// outwards as in Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013; a zero component of the direction has its own branch.
-KD_FN bool clip_to_box(RaySetup s, real3 lower, real3 upper, INOUT(real) t_begin, INOUT(real) t_end)
+KD_FN bool clip_to_box(IN(RaySetup) s, real3 lower, real3 upper, INOUT(real) t_begin, INOUT(real) t_end)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        real origin = s.ray.origin[axis];
-        if (s.ray.direction[axis] == real(0)) {
-            if (origin < lower[axis] || origin > upper[axis]) return false;
+        real origin = AXIS(s.ray.origin, axis);
+        if (AXIS(s.ray.direction, axis) == real(0)) {
+            if (origin < AXIS(lower, axis) || origin > AXIS(upper, axis)) return false;
         } else {
-            PRECISE real t_lower = (lower[axis] - origin) * s.inverse[axis];
-            PRECISE real t_upper = (upper[axis] - origin) * s.inverse[axis];
+            PRECISE real t_lower = (AXIS(lower, axis) - origin) * AXIS(s.inverse, axis);
+            PRECISE real t_upper = (AXIS(upper, axis) - origin) * AXIS(s.inverse, axis);
             PRECISE real t_near = min(t_lower, t_upper);
             PRECISE real t_far = max(t_lower, t_upper);
             PRECISE real near_padded = t_near - abs(t_near) * KD_T_PADDING;

@@ -1,7 +1,7 @@
 // Primary rays.
 
 /// The ray through the centre of pixel (column, row) of a width x height image; row 0 is the top. Unit direction.
-KD_FN Ray camera_ray(PinholeCamera camera, int2 pixel, int2 size)
+KD_FN Ray camera_ray(IN(PinholeCamera) camera, int2 pixel, int2 size)
 {
     PRECISE real x = (real(pixel.x) + real(0.5)) * real(2) / real(size.x) - real(1);
     PRECISE real y = real(1) - (real(pixel.y) + real(0.5)) * real(2) / real(size.y);

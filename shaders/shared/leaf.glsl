@@ -1,7 +1,7 @@
 // Leaves, and how a walk begins.
 
 /// Tests every triangle of a leaf. A hit outside the leaf's cell is kept: the nearest over all leaves wins.
-KD_FN void test_leaf(RaySetup s, KdNode leaf, INOUT(Hit) hit)
+KD_FN void test_leaf(IN(RaySetup) s, IN(KdNode) leaf, INOUT(Hit) hit)
 {
     for (int i = 0; i < leaf.count; ++i) {
         int slot = leaf.link + i;
@@ -11,7 +11,7 @@ KD_FN void test_leaf(RaySetup s, KdNode leaf, INOUT(Hit) hit)
 }
 
 /// Cuts the ray to the tree's bounds. False, with the exit reason told, where the ray is invalid or misses them.
-KD_FN bool enter_tree(RaySetup s, OUT(real) t_begin, OUT(real) t_end)
+KD_FN bool enter_tree(IN(RaySetup) s, OUT(real) t_begin, OUT(real) t_end)
 {
     t_begin = s.ray.t_min;
     t_end = s.ray.t_max;
@@ -29,7 +29,7 @@ KD_FN bool enter_tree(RaySetup s, OUT(real) t_begin, OUT(real) t_end)
     return true;
 }
 
-KD_FN void finish_walk(Hit hit)
+KD_FN void finish_walk(IN(Hit) hit)
 {
     on_exit(hit.triangle >= 0 ? KD_EXIT_HIT : KD_EXIT_MISS);
 }

@@ -8,7 +8,7 @@ struct LightSample {
     real3 colour;
 };
 
-KD_FN LightSample sample_light(Light light, real3 position)
+KD_FN LightSample sample_light(IN(Light) light, real3 position)
 {
     LightSample s;
     if (light.kind == KD_LIGHT_DIRECTIONAL) {
@@ -37,7 +37,7 @@ KD_FN LightSample sample_light(Light light, real3 position)
 
 /// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
 /// `first_blocked` receives the first one's hit that found an occluder.
-KD_FN real3 light_surface(Ray ray, Surface s, INOUT(Hit) first_blocked)
+KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
 {
     real3 total = s.material.diffuse * scene_ambient();
     real3 to_viewer = -normalise3(ray.direction);

@@ -8,7 +8,7 @@ struct Path {
 };
 
 /// RTPrim: trace the primary ray of a pixel.
-KD_FN Path trace_primary(PinholeCamera camera, int2 pixel, int2 size)
+KD_FN Path trace_primary(IN(PinholeCamera) camera, int2 pixel, int2 size)
 {
     Path path;
     path.ray = camera_ray(camera, pixel, size);
@@ -19,14 +19,14 @@ KD_FN Path trace_primary(PinholeCamera camera, int2 pixel, int2 size)
 }
 
 /// ShadePrim and ShadeRefl: light that this path adds to the pixel; `first_blocked` as in light_surface.
-KD_FN real3 shade_path(Path path, INOUT(Hit) first_blocked)
+KD_FN real3 shade_path(IN(Path) path, INOUT(Hit) first_blocked)
 {
     if (path.hit.triangle < 0) return path.weight * scene_background();
     return path.weight * light_surface(path.ray, surface_at(path.ray, path.hit), first_blocked);
 }
 
 /// How much a mirror ray from this hit would count, zero where the surface reflects nothing or nothing was hit.
-KD_FN real3 reflected_weight(Path path)
+KD_FN real3 reflected_weight(IN(Path) path)
 {
     if (path.hit.triangle < 0) return real3(0, 0, 0);
     return path.weight * fetch_material(fetch_material_index(path.hit.triangle)).reflectance;
@@ -40,7 +40,7 @@ KD_FN bool reflection_counts(real3 weight, real least_contribution)
 }
 
 /// RTRefl: trace the mirror ray of a path whose reflection counts.
-KD_FN Path trace_reflection(Path path)
+KD_FN Path trace_reflection(IN(Path) path)
 {
     Surface s = surface_at(path.ray, path.hit);
     real3 d = normalise3(path.ray.direction);

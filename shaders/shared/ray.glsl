@@ -17,7 +17,7 @@ KD_FN bool finite3(real3 a, real limit)
 }
 
 /// True where the ray can be traced: finite, with a direction, and an interval that holds something.
-KD_FN bool valid_ray(Ray ray)
+KD_FN bool valid_ray(IN(Ray) ray)
 {
     real largest = max_component(abs(ray.direction));
     return finite3(ray.origin, KD_COORDINATE_LIMIT) && finite3(ray.direction, KD_COORDINATE_LIMIT) &&
@@ -37,7 +37,7 @@ KD_FN int largest_axis(real3 a)
 
 /// Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.1. Winding is not kept:
 /// both faces count, so the axes need no swap.
-KD_FN RaySetup setup_ray(Ray ray)
+KD_FN RaySetup setup_ray(IN(Ray) ray)
 {
     RaySetup s;
     s.ray = ray;
@@ -47,15 +47,15 @@ KD_FN RaySetup setup_ray(Ray ray)
     int x = z == 2 ? 0 : z + 1;
     int y = x == 2 ? 0 : x + 1;
     s.axes = int3(x, y, z);
-    PRECISE real shear_x = ray.direction[x] / ray.direction[z];
-    PRECISE real shear_y = ray.direction[y] / ray.direction[z];
-    PRECISE real shear_z = real(1) / ray.direction[z];
+    PRECISE real shear_x = AXIS(ray.direction, x) / AXIS(ray.direction, z);
+    PRECISE real shear_y = AXIS(ray.direction, y) / AXIS(ray.direction, z);
+    PRECISE real shear_z = real(1) / AXIS(ray.direction, z);
     s.shear = real3(shear_x, shear_y, shear_z);
-    s.permuted_origin = real3(ray.origin[x], ray.origin[y], ray.origin[z]);
+    s.permuted_origin = real3(AXIS(ray.origin, x), AXIS(ray.origin, y), AXIS(ray.origin, z));
     return s;
 }
 
-KD_FN Hit no_hit(Ray ray)
+KD_FN Hit no_hit(IN(Ray) ray)
 {
     Hit hit;
     hit.triangle = -1;
@@ -66,7 +66,7 @@ KD_FN Hit no_hit(Ray ray)
 }
 
 /// A cell that begins at `t_begin` can no longer hold the nearest hit. A tie in a neighbouring leaf is still looked at.
-KD_FN bool beyond_hit(Hit hit, real t_begin)
+KD_FN bool beyond_hit(IN(Hit) hit, real t_begin)
 {
     return hit.t * (real(1) + KD_T_PADDING) < t_begin;
 }

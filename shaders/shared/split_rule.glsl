@@ -1,25 +1,31 @@
 // Which children of an interior node a ray visits, and over which part of its interval. The one rule that every
 // traversal shares. It never leaves out a child that the exact ray touches, whatever the rounding.
 
-/// Near child, far child or both. The near child is the one on the origin's side; with the origin on the plane, the side
-/// travelled into. `near_end` and `far_begin` cut [t_begin, t_end] where both are visited.
-///
-/// Rays that start on the plane or run inside it visit both children over the full interval: a product of zero distance
-/// and any reciprocal carries no order. Progress in the traversals is therefore by child, never by t.
-KD_FN int visit_children(RaySetup s, int axis, real split, real t_begin, real t_end,
+/// Whether the child below the plane comes first along the ray: the origin's side, or, with the origin on the plane, the
+/// side the ray leaves.
+KD_FN bool below_comes_first(IN(RaySetup) s, int axis, real split)
+{
+    real origin = AXIS(s.ray.origin, axis);
+    return origin < split || (origin == split && AXIS(s.ray.direction, axis) > real(0));
+}
+
+/// Near child (the one that comes first), far child or both. `near_end` and `far_begin` cut [t_begin, t_end] where both
+/// are visited. Rays inside the plane visit both children over the full interval: there, t carries no order. Progress in
+/// the traversals is therefore by child, never by t.
+KD_FN int visit_children(IN(RaySetup) s, int axis, real split, real t_begin, real t_end,
                          OUT(bool) below_first, OUT(real) near_end, OUT(real) far_begin)
 {
-    real origin = s.ray.origin[axis];
+    real origin = AXIS(s.ray.origin, axis);
     below_first = origin < split;
     near_end = t_end;
     far_begin = t_begin;
 
-    // 0 where the direction is 0, the origin lies on the plane, or the product underflows.
-    PRECISE real t_plane = (split - origin) * s.inverse[axis];
+    PRECISE real t_plane = (split - origin) * AXIS(s.inverse, axis);
     if (KD_RARE(t_plane == real(0))) {
-        if (origin == split) below_first = s.ray.direction[axis] <= real(0);
-        else if (s.ray.direction[axis] == real(0)) return KD_VISIT_NEAR;
-        return KD_VISIT_BOTH;
+        real direction = AXIS(s.ray.direction, axis);
+        if (direction == real(0)) return origin == split ? KD_VISIT_BOTH : KD_VISIT_NEAR;
+        if (origin != split) return KD_VISIT_BOTH; // the product underflowed and tells nothing
+        below_first = direction > real(0);
     }
     PRECISE real t_low = t_plane * (real(1) - KD_T_PADDING);
     PRECISE real t_high = t_plane * (real(1) + KD_T_PADDING);
@@ -30,7 +36,7 @@ KD_FN int visit_children(RaySetup s, int axis, real split, real t_begin, real t_
     return KD_VISIT_BOTH;
 }
 
-KD_FN int child_of(int node, KdNode n, bool below)
+KD_FN int child_of(int node, IN(KdNode) n, bool below)
 {
     return below ? node + 1 : n.link;
 }

@@ -43,7 +43,7 @@ KD_FN real3 sample_texture(int texture_index, real2 uv)
 }
 
 /// Everything shading needs to know about a hit of `ray`.
-KD_FN Surface surface_at(Ray ray, Hit hit)
+KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
 {
     real3 a;
     real3 b;
@@ -81,7 +81,7 @@ KD_FN Surface surface_at(Ray ray, Hit hit)
 }
 
 /// A ray that leaves `s` towards `direction`, on the side that `direction` points to. The source triangle is excluded.
-KD_FN Ray leave_surface(Surface s, real3 direction, real t_max)
+KD_FN Ray leave_surface(IN(Surface) s, real3 direction, real t_max)
 {
     Ray ray;
     real side = dot3(direction, s.geometric) < real(0) ? -s.margin : s.margin;

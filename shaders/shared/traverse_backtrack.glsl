@@ -2,7 +2,7 @@
 // far child is still to be visited. Needs the box of every node. Progress is by child identity: a node is entered from
 // its parent, then left through its near child, then through its far child, and never again.
 
-KD_FN void traverse_backtrack(RaySetup s, bool any_hit, INOUT(Hit) hit)
+KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     real root_begin;
     real root_end;
@@ -49,8 +49,7 @@ KD_FN void traverse_backtrack(RaySetup s, bool any_hit, INOUT(Hit) hit)
             node = parent;
             n = fetch_node(node);
             on_interior(node, true);
-            real origin = s.ray.origin[n.flag];
-            bool below_first = origin < n.split || (origin == n.split && s.ray.direction[n.flag] <= real(0));
+            bool below_first = below_comes_first(s, n.flag, n.split);
             if (child == child_of(node, n, below_first)) {
                 int far_child = child_of(node, n, !below_first);
                 real3 lower;

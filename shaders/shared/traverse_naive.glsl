@@ -1,6 +1,6 @@
 // The loop over all triangles: no tree at all. Timed as a tracer of its own, and the reference for the others.
 
-KD_FN void traverse_naive(RaySetup s, bool any_hit, INOUT(Hit) hit)
+KD_FN void traverse_naive(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     if (!valid_ray(s.ray)) {
         on_exit(KD_EXIT_INVALID_RAY);

@@ -8,13 +8,13 @@ struct Trail {
     uint high;
 };
 
-KD_FN bool trail_bit(Trail trail, int level)
+KD_FN bool trail_bit(IN(Trail) trail, int level)
 {
     return level < 32 ? (trail.low >> uint(level) & 1u) != 0u : (trail.high >> uint(level - 32) & 1u) != 0u;
 }
 
 /// Sets the bit of `level` and clears those of all deeper levels.
-KD_FN Trail advance_trail(Trail trail, int level)
+KD_FN Trail advance_trail(IN(Trail) trail, int level)
 {
     Trail next;
     if (level < 32) {
@@ -29,7 +29,7 @@ KD_FN Trail advance_trail(Trail trail, int level)
     return next;
 }
 
-KD_FN void traverse_restart(RaySetup s, bool any_hit, INOUT(Hit) hit)
+KD_FN void traverse_restart(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     real root_begin;
     real root_end;

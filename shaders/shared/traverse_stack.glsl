@@ -1,6 +1,6 @@
 // Depth-first, near child first, far children on a stack: the paper's CPURT.
 
-KD_FN void traverse_stack(RaySetup s, bool any_hit, INOUT(Hit) hit)
+KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     real t_begin;
     real t_end;

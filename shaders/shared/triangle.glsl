@@ -3,7 +3,7 @@
 
 /// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
 /// the lowest triangle number wins. Comparisons are written so that NaN means no hit.
-KD_FN void intersect_triangle(RaySetup s, int slot, int triangle, INOUT(Hit) hit)
+KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit) hit)
 {
     real3 a;
     real3 b;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/counters.h"
@@ -96,6 +99,21 @@ TEST(Traverse, NeverMissesAClosedSphereAtVerticesAndEdges)
         for (std::size_t i = 0; i < rays.size(); ++i)
             ASSERT_GE(found.hits[i].triangle, 0) << t.name << " " << test::hex(rays[i]);
     }
+}
+
+TEST(Traverse, NeverMissesAClosedSphereFarFromTheOrigin)
+{
+    // Case T18: coordinates are so coarse here (1/64) that many origins lie exactly on split planes.
+    const Vec3 centre(148376.0f, 1234.0f, -223423.0f);
+    KdTree tree;
+    const FlatScene scene = with_tree(test::sphere(100, 50, 2.0f, centre), tree);
+    test::Random random(17);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 20000; ++i)
+        rays.push_back({centre + random.point(-1, 1), random.point(-1, 1), 0.0f, KD_T_LIMIT, -1});
+    EXPECT_EQ(first_mismatch(scene, tree, rays), "");
+    const Traced found = trace(scene, tree, Traversal::stack, rays);
+    EXPECT_EQ(std::ranges::count(found.hits, -1, &Hit::triangle), 0);
 }
 
 TEST(Traverse, FromOnASplitPlaneSeesBothSides)
@@ -199,6 +217,23 @@ TEST(Traverse, RestartVisitsTheSameNodesAsStackAndPaysInRevisits)
     }
     EXPECT_GT(again.interior_again, again.interior_first) << "restart re-visits more than it visits on a soup";
     EXPECT_GT(again.restarts, 0u);
+}
+
+TEST(Traverse, AViewInASymmetryPlaneIsNotPunished)
+{
+    // The camera lies exactly on the first split planes of a centred scene; a rule that visits both sides in full there
+    // costs several times the steps of a camera moved aside by a hair.
+    KdTree tree;
+    const FlatScene scene = with_tree(test::sphere(40, 20), tree);
+    const auto visits = [&](Vec3 eye) {
+        std::vector<Ray> rays;
+        for (int i = 0; i < 64 * 64; ++i)
+            rays.push_back({eye, Vec3(float(i % 64) - 31.7f, float(i / 64) - 31.3f, -100.0f), 0.0f, KD_T_LIMIT, -1});
+        CounterTotals totals;
+        for (const RayCounters& c : trace(scene, tree, Traversal::stack, rays).counters) totals.add(c);
+        return double(totals.interior_first);
+    };
+    EXPECT_LT(visits(Vec3(0, 0, 4)), 1.1 * visits(Vec3(1e-3f, 1e-3f, 4)));
 }
 
 TEST(Traverse, AnyHitFindsSomethingExactlyWhereThereIsSomething)

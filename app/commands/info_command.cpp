@@ -1,0 +1,150 @@
+// info: what this build and this machine can do.
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+#include <version.h>
+
+#include "app/assets.h"
+#include "app/commands/commands.h"
+#include "app/fonts.h"
+#include "app/json_values.h"
+#include "app/machine_info.h"
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/context.h"
+#include "renderer/scene/procedural.h"
+
+namespace kd {
+
+namespace {
+
+struct Limit {
+    const char* name;
+    GLenum value;
+};
+constexpr std::array<Limit, 4> limits{{{"texture side", GL_MAX_TEXTURE_SIZE},
+                                       {"texture buffer texels", GL_MAX_TEXTURE_BUFFER_SIZE},
+                                       {"storage buffer bytes", GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
+                                       {"draw buffers", GL_MAX_DRAW_BUFFERS}}};
+
+Json context_info(ContextKind kind) {
+    Json json{{"context", name_of(kind)}};
+    try {
+        const std::unique_ptr<Context> context = Context::create(kind);
+        json["renderer"] = context->renderer();
+        json["version"] = context->version();
+        json["software"] = context->is_software();
+        for (const Limit& limit : limits) {
+            GLint value = 0;
+            context->gl().GetIntegerv(limit.value, &value);
+            json["limits"][limit.name] = value;
+        }
+    } catch (const ContextError& error) { json["unavailable"] = error.what(); }
+    return json;
+}
+
+Json font_info() {
+    const FontFiles fonts = find_fonts();
+    const auto path = [](const std::optional<std::filesystem::path>& file) {
+        return file ? Json(file->string()) : Json(nullptr);
+    };
+    return {{"text", path(fonts.text)}, {"bold", path(fonts.bold)}, {"code", path(fonts.code)}};
+}
+
+Json scene_names() {
+    Json names = Json::array();
+    for (const ProceduralScene& scene : procedural_scenes())
+        names.push_back(scene.default_size > 0 ? fmt::format("{}:{}", scene.name, scene.default_size)
+                                               : std::string(scene.name));
+    for (const auto& file : shipped_scenes()) names.push_back(file.filename().string());
+    return names;
+}
+
+template <class Table>
+Json names_of(const Table& table) {
+    Json names = Json::array();
+    for (const auto& entry : table) names.push_back(entry.name);
+    return names;
+}
+
+Json collect() {
+    Json json{{"version", build::version},
+              {"commit", build::commit},
+              {"compiler", build::compiler},
+              {"build_type", build::build_type},
+              {"flags", build::flags}};
+#ifdef KD_WITH_WINDOW
+    json["window"] = true;
+#else
+    json["window"] = false;
+#endif
+    json["cpu"] = {{"model", cpu_model()}, {"target", cpu_target_name()}, {"threads", default_threads()}};
+    json["contexts"] = Json::array({context_info(ContextKind::osmesa), context_info(ContextKind::egl)});
+    json["fonts"] = font_info();
+    json["scenes"] = scene_names();
+    json["builders"] = names_of(builders());
+    json["traversals"] = names_of(traversals());
+    return json;
+}
+
+std::string word(const Json& value) {
+    return value.is_null() ? "none found" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string word_list(const Json& values) {
+    std::string list;
+    for (const Json& value : values) list += (list.empty() ? "" : ", ") + word(value);
+    return list;
+}
+
+void print(std::ostream& out, const Json& json) {
+    const auto line = [&](const std::string& title, const std::string& text) {
+        out << fmt::format("{:<12}{}\n", title, text);
+    };
+    line("kdscope", fmt::format("{} ({})", word(json["version"]), word(json["commit"])));
+    line("compiler", word(json["compiler"]));
+    line("flags", fmt::format("{} {}", word(json["build_type"]), word(json["flags"])));
+    line("window", json["window"] == true ? "yes" : "left out of this build");
+    line("CPU", fmt::format("{}, {}, {} threads", word(json["cpu"]["model"]), word(json["cpu"]["target"]),
+                            word(json["cpu"]["threads"])));
+    for (const Json& context : json["contexts"]) {
+        if (context.contains("unavailable")) {
+            line(word(context["context"]), "not available: " + word(context["unavailable"]));
+            continue;
+        }
+        line(word(context["context"]), fmt::format("{}, OpenGL {}{}", word(context["renderer"]), word(context["version"]),
+                                                   context["software"] == true ? ", software" : ""));
+        std::string list;
+        for (const auto& [name, value] : context["limits"].items())
+            list += fmt::format("{}{} {}", list.empty() ? "" : ", ", name, word(value));
+        line("", list);
+    }
+    for (const auto& [use, file] : json["fonts"].items()) line(use + " font", word(file));
+    line("scenes", word_list(json["scenes"]));
+    line("builders", word_list(json["builders"]));
+    line("traversals", word_list(json["traversals"]));
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto json = std::make_shared<bool>(false);
+    app.add_flag("--json", *json, "JSON instead of text");
+    return [json](CommandContext& context) {
+        const Json facts = collect();
+        if (*json) context.out << json_text(facts);
+        else print(context.out, facts);
+        return int(exit_ok);
+    };
+}
+
+}  // namespace
+
+Command info_command() {
+    return {"info", "Version, build, CPU, OpenGL contexts, fonts, known scenes",
+            "Example:\n"
+            "  kdscope info --json\n",
+            declare};
+}
+
+}  // namespace kd

@@ -1,0 +1,208 @@
+// stats: facts about a scene's kd-tree, one column per builder.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+#include "app/commands/commands.h"
+#include "app/json_values.h"
+#include "app/progress_line.h"
+#include "app/text_table.h"
+#include "renderer/gl/gl_tracer.h"
+
+namespace kd {
+
+namespace {
+
+struct StatsOptions : CommonOptions {
+    bool every_builder = false;
+    bool json = false;
+};
+
+/// One tree of one scene.
+struct Entry {
+    std::string builder;
+    TreeStats stats;
+    BuildReport build;
+    std::optional<GlMemory> gl;
+    std::string gl_refused;  // why there is no `gl`
+};
+
+/// A context for measuring what the tracer's textures take; stats can do without.
+struct GlProbe {
+    explicit GlProbe(ContextKind kind) {
+        try {
+            context = Context::create(kind);
+            tracer = std::make_unique<GlTracer>(*context);
+        } catch (const ContextError& error) { refused = error.what(); }
+    }
+
+    void measure(const FlatScene& scene, const KdTree& tree, const Session& session, Entry& entry) {
+        entry.gl_refused = refused;
+        if (!tracer) return;
+        try {
+            tracer->upload(scene, tree);
+            tracer->prepare({.trace = session.trace}, session.width, session.height);
+            entry.gl = tracer->memory();
+        } catch (const InputError& error) { entry.gl_refused = error.what(); }
+    }
+
+    std::unique_ptr<Context> context;
+    std::unique_ptr<GlTracer> tracer;
+    std::string refused;
+};
+
+std::string bytes_text(std::int64_t bytes) {
+    if (bytes < 10'000) return fmt::format("{} B", bytes);
+    if (bytes < 10'000'000) return fmt::format("{:.1f} kB", double(bytes) * 1e-3);
+    return fmt::format("{:.1f} MB", double(bytes) * 1e-6);
+}
+
+std::int64_t total(const GlMemory& m) {
+    return m.nodes + m.boxes + m.references + m.triangles + m.attributes + m.textures + m.targets;
+}
+
+struct Quantity {
+    const char* title;
+    std::string (*text)(const Entry&);
+};
+
+std::string gl_text(const Entry& e, std::int64_t GlMemory::*part) {
+    return e.gl ? bytes_text((*e.gl).*part) : "-";
+}
+
+std::string share_text(std::int64_t part, std::int64_t whole) {
+    return fmt::format("{} ({:.0f} %)", part, whole > 0 ? 100.0 * double(part) / double(whole) : 0.0);
+}
+
+constexpr Quantity quantities[] = {
+    {"nodes", [](const Entry& e) { return fmt::format("{}", e.stats.nodes); }},
+    {"interior nodes", [](const Entry& e) { return fmt::format("{}", e.stats.interior); }},
+    {"leaves", [](const Entry& e) { return fmt::format("{}", e.stats.leaves); }},
+    {"empty leaves", [](const Entry& e) { return share_text(e.stats.empty_leaves, e.stats.leaves); }},
+    {"largest leaf, triangles", [](const Entry& e) { return fmt::format("{}", e.stats.largest_leaf); }},
+    {"deepest leaf, levels", [](const Entry& e) { return fmt::format("{}", e.stats.deepest); }},
+    {"mean leaf depth, levels", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.mean_leaf_depth); }},
+    {"references", [](const Entry& e) { return fmt::format("{}", e.stats.references); }},
+    {"references per triangle", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.references_per_triangle); }},
+    {"SAH cost, traversal steps", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.sah_cost); }},
+    {"expected interior visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_interior_visits); }},
+    {"expected leaf visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_leaf_visits); }},
+    {"expected triangle tests", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_triangle_tests); }},
+    {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", 1e3 * e.build.seconds); }},
+    {"limits hit",
+     [](const Entry& e) {
+         const std::string depth = e.build.depth_limit_hit ? "depth" : "";
+         const std::string cap = e.build.reference_cap_hit ? "references" : "";
+         return depth.empty() && cap.empty() ? "none" : depth + (depth.empty() || cap.empty() ? "" : ", ") + cap;
+     }},
+    {"memory: nodes", [](const Entry& e) { return bytes_text(e.stats.node_bytes); }},
+    {"memory: lists of references", [](const Entry& e) { return bytes_text(e.stats.reference_list_bytes); }},
+    {"memory: lists of copies", [](const Entry& e) { return bytes_text(e.stats.duplicated_list_bytes); }},
+    {"GL: nodes", [](const Entry& e) { return gl_text(e, &GlMemory::nodes); }},
+    {"GL: node boxes", [](const Entry& e) { return gl_text(e, &GlMemory::boxes); }},
+    {"GL: references", [](const Entry& e) { return gl_text(e, &GlMemory::references); }},
+    {"GL: triangles", [](const Entry& e) { return gl_text(e, &GlMemory::triangles); }},
+    {"GL: normals, uv, materials", [](const Entry& e) { return gl_text(e, &GlMemory::attributes); }},
+    {"GL: images", [](const Entry& e) { return gl_text(e, &GlMemory::textures); }},
+    {"GL: targets", [](const Entry& e) { return gl_text(e, &GlMemory::targets); }},
+    {"GL: all", [](const Entry& e) { return e.gl ? bytes_text(total(*e.gl)) : "-"; }},
+};
+
+Json json_of(const Entry& e) {
+    Json json{{"builder", e.builder},
+              {"build_ms", 1e3 * e.build.seconds},
+              {"depth_limit_hit", e.build.depth_limit_hit},
+              {"reference_cap_hit", e.build.reference_cap_hit},
+              {"tree", kd::json_of(e.stats)}};
+    if (e.gl)
+        json["gl_bytes"] = {{"nodes", e.gl->nodes},           {"boxes", e.gl->boxes},
+                            {"references", e.gl->references}, {"triangles", e.gl->triangles},
+                            {"attributes", e.gl->attributes}, {"textures", e.gl->textures},
+                            {"targets", e.gl->targets},       {"all", total(*e.gl)}};
+    else json["gl_bytes"] = nullptr;
+    return json;
+}
+
+void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
+    out << fmt::format("{}: {} triangles, {} materials, {} textures, {} lights\n", session.scene, scene.triangles.size(),
+                       scene.materials.size(), scene.textures.size(), scene.lights.size());
+    for (const std::string& note : scene.notes) out << "note: " << note << '\n';
+    std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
+    for (const Entry& entry : entries) columns.push_back({entry.builder});
+    TextTable table(columns);
+    for (const Quantity& quantity : quantities) {
+        std::vector<std::string> cells{quantity.title};
+        for (const Entry& entry : entries) cells.push_back(quantity.text(entry));
+        table.add_row(cells);
+    }
+    table.print(out);
+    out << fmt::format("GL memory is that of gl-fragment with {}, {} lists and a {}x{} picture.\n",
+                       info(session.trace.traversal).name, name_of(session.trace.leaf_lists), session.width,
+                       session.height);
+    for (const Entry& entry : entries)
+        if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
+}
+
+int run(const StatsOptions& options, CommandContext& context) {
+    GlProbe probe(options.context.value_or(ContextKind::automatic));
+    if (!probe.context && options.context) throw ContextError(probe.refused);
+    ProgressLine progress(context);
+    Json json = Json::array();
+    for (const std::string& name : options.scenes) {
+        Session session = options.session_for(name);
+        const FlatScene scene = open_scene(options, session);
+        std::vector<std::string> names{session.build.builder};
+        if (options.every_builder) {
+            names.clear();
+            for (const Builder& builder : builders()) names.emplace_back(builder.name);
+        }
+        std::vector<Entry> entries;
+        for (const std::string& builder : names) {
+            session.build.builder = builder;
+            Entry entry{builder, {}, {}, {}, {}};
+            const auto show = [&](float done) { progress.show(done, name + ": " + builder); };
+            const KdTree tree = build_tree(scene.triangles, session.build, &entry.build, show, context.stop);
+            check_stop(context);
+            entry.stats = tree_stats(tree, scene.triangles.size(), session.build);
+            probe.measure(scene, tree, session, entry);
+            entries.push_back(std::move(entry));
+        }
+        if (!options.json) {
+            if (name != options.scenes.front()) context.out << '\n';
+            print(context.out, session, scene, entries);
+            continue;
+        }
+        Json trees = Json::array();
+        for (const Entry& entry : entries) trees.push_back(json_of(entry));
+        json.push_back({{"settings", kd::json_of(session)}, {"scene", kd::json_of(scene)}, {"trees", trees}});
+    }
+    if (options.json) context.out << json_text(json);
+    return exit_ok;
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<StatsOptions>();
+    add_scenes(app, *options);
+    app.add_flag("--builders", options->every_builder, "All builders side by side");
+    app.add_flag("--json", options->json, "JSON instead of a table");
+    add_size_option(app, *options);
+    add_machine_options(app, *options);
+    add_tree_options(app, *options);
+    add_tracing_options(app, *options);
+    add_shading_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command stats_command() {
+    return {"stats", "Tables about a scene's kd-tree: nodes, leaves, cost, memory",
+            "Examples:\n"
+            "  kdscope stats ball:9000 rooms\n"
+            "  kdscope stats scatter:10000 --builders --json\n",
+            declare};
+}
+
+}  // namespace kd

@@ -1,0 +1,165 @@
+// trace: the user's own rays by every algorithm, as a table.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+#include "app/commands/commands.h"
+#include "app/common_options.h"
+#include "app/output_file.h"
+#include "app/progress_line.h"
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
+#include "renderer/io/tables.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+struct TraceOptions : CommonOptions {
+    std::string rays, output;
+};
+
+using TraceRays = std::function<void(const TraceConfig&, std::span<const Ray>, std::span<Hit>, std::span<RayCounters>)>;
+
+/// Something that traces rays, by its name on the command line.
+struct RayTracer {
+    std::string name;
+    TraceRays trace;
+};
+
+std::string header() {
+    std::string line = "ray,algorithm,tracer,hit,triangle,t,u,v";
+    for (const CounterInfo& counter : counter_table()) line += fmt::format(",{}", counter.name);
+    return line + ",exit_reason\n";
+}
+
+void add_rows(std::string& table, std::string_view algorithm, const std::string& tracer, std::span<const Hit> hits,
+              std::span<const RayCounters> counters) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const Hit& h = hits[i];
+        table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle, h.t, h.u,
+                             h.v);
+        for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
+        table += fmt::format(",{}\n", counters[i].exit_reason);
+    }
+}
+
+std::vector<Traversal> wanted_traversals(const TraceOptions& options) {
+    if (options.traversal) return {*options.traversal};
+    std::vector<Traversal> all;
+    for (const TraversalInfo& traversal : traversals()) all.push_back(traversal.id);
+    return all;
+}
+
+/// The tracers asked for; one that is not there is told in a line unless it was named.
+class RayTracers {
+  public:
+    RayTracers(const TraceOptions& options, const FlatScene& scene, const KdTree& tree, CommandContext& context)
+        : cpu_(scene, tree) {
+        const bool all = !options.tracer;
+        if (all || *options.tracer == TracerKind::cpu)
+            list_.push_back({"cpu", [this, threads = options.session.threads](const TraceConfig& config, auto rays, auto hits,
+                                                                              auto counters) {
+                                 cpu_.trace_rays(config, rays, false, hits, counters, threads);
+                             }});
+        if (!all && *options.tracer != TracerKind::gl_fragment) return;
+        try {
+            gl_context_ = Context::create(options.context.value_or(ContextKind::automatic));
+            gl_ = std::make_unique<GlTracer>(*gl_context_);
+            gl_->upload(scene, tree);
+            list_.push_back({"gl-fragment", [this](const TraceConfig& config, auto rays, auto hits, auto counters) {
+                                 gl_->trace_rays(config, rays, false, hits, counters);
+                             }});
+        } catch (const ContextError& error) {
+            if (!all || options.context) throw;
+            context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
+        } catch (const InputError& error) {
+            if (!all) throw;
+            context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
+        }
+    }
+
+    [[nodiscard]] const std::vector<RayTracer>& list() const { return list_; }
+
+  private:
+    CpuTracer cpu_;
+    std::unique_ptr<Context> gl_context_;
+    std::unique_ptr<GlTracer> gl_;
+    std::vector<RayTracer> list_;
+};
+
+int run(const TraceOptions& options, CommandContext& context) {
+    constexpr std::size_t rays_per_step = 16384;
+    Session session = options.session_for(options.scenes.front());
+    if (options.output != "-") check_output("--output", options.output, session.scene);
+    const std::vector<Ray> rays = read_rays_csv(options.rays);
+    const FlatScene scene = open_scene(options, session);
+    const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+    check_stop(context);
+    RayTracers tracers(options, scene, tree, context);
+    std::string table = header();
+    {
+        ProgressLine progress(context);
+        std::vector<Hit> hits(rays.size());
+        std::vector<RayCounters> counters(rays.size());
+        for (const RayTracer& tracer : tracers.list())
+            for (const Traversal traversal : wanted_traversals(options)) {
+                session.trace.traversal = traversal;
+                try {
+                    for (std::size_t first = 0; first < rays.size(); first += rays_per_step) {
+                        check_stop(context);
+                        const std::size_t n = std::min(rays_per_step, rays.size() - first);
+                        progress.show(float(first) / float(rays.size()),
+                                      fmt::format("{} on {}", info(traversal).name, tracer.name));
+                        tracer.trace(session.trace, std::span(rays).subspan(first, n), std::span(hits).subspan(first, n),
+                                     std::span(counters).subspan(first, n));
+                    }
+                } catch (const InputError& error) {
+                    if (options.traversal) throw;
+                    context.err << fmt::format("kdscope: left out {} on {}: {}\n", info(traversal).name, tracer.name,
+                                               error.what());
+                    continue;
+                }
+                add_rows(table, info(traversal).name, tracer.name, hits, counters);
+            }
+    }
+    check_stop(context);
+    if (options.output == "-") context.out << table;
+    else write_file(options.output, table);
+    return exit_ok;
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<TraceOptions>();
+    add_one_scene(app, *options, true);
+    app.add_option("--rays", options->rays, "Rays to trace, CSV: ox,oy,oz,dx,dy,dz[,tmin,tmax] with that header")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("-o,--output", options->output, "Table to write, CSV; - is standard output")
+        ->required()
+        ->type_name("FILE");
+    add_machine_options(app, *options);
+    add_tree_options(app, *options);
+    add_tracing_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command trace_command() {
+    return {"trace", "Traces your own rays with every traversal and tracer",
+            "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
+            "exit_reason (0 miss, 1 hit, 2 step cap, 3 stack overflow, 4 invalid ray). Where nothing was hit, triangle is\n"
+            "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
+            "Examples:\n"
+            "  kdscope trace ball:9000 --rays rays.csv -o hits.csv\n"
+            "  kdscope trace model.gltf --rays rays.csv -o - --traversal restart --tracer cpu\n",
+            declare};
+}
+
+}  // namespace kd

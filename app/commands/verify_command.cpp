@@ -1,0 +1,152 @@
+// verify: every traversal x builder x tracer against brute force.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+#include "app/commands/commands.h"
+#include "app/json_values.h"
+#include "app/progress_line.h"
+#include "app/text_table.h"
+#include "app/typed_options.h"
+#include "renderer/measure/verify.h"
+
+namespace kd {
+
+namespace {
+
+struct VerifyOptions : CommonOptions {
+    VerifyConfig config;
+    bool json = false;
+};
+
+/// What the options leave of all that could be checked.
+VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
+    VerifyConfig config = options.config;
+    config.width = session.width;
+    config.height = session.height;
+    config.seed = session.seed;
+    config.threads = session.threads;
+    if (options.builder) config.builders = {*options.builder};
+    if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
+    config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
+    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
+        config.contexts = {ContextKind::osmesa, ContextKind::egl};
+        if (options.context) config.contexts = {*options.context};
+    }
+    return config;
+}
+
+/// A context that was asked for by name has to be there.
+void require_context(const VerifyOptions& options, const VerifyConfig& config) {
+    if (options.context)
+        for (const ContextKind kind : config.contexts) (void)Context::create(kind);
+}
+
+const char* verdict(const VerifyRow& row) {
+    return row.mismatches == 0 && row.counter_mismatches == 0 ? "good" : "WRONG";
+}
+
+Json json_of(const VerifyReport& report) {
+    Json rows = Json::array();
+    for (const VerifyRow& row : report.rows)
+        rows.push_back({{"builder", row.builder},
+                        {"traversal", row.traversal},
+                        {"leaf_lists", row.leaf_lists},
+                        {"tracer", row.tracer},
+                        {"context", row.context},
+                        {"pixel_rays", row.pixel_rays},
+                        {"adversarial_rays", row.adversarial_rays},
+                        {"mismatches", row.mismatches},
+                        {"ties", row.ties},
+                        {"counter_mismatches", row.counter_mismatches},
+                        {"seconds", row.seconds},
+                        {"first_failure", row.first_failure.empty() ? Json(nullptr) : Json(row.first_failure)}});
+    return {{"scene", report.scene}, {"triangles", report.triangles}, {"passed", report.passed()},
+            {"rows", rows},          {"violations", report.violations}, {"notes", report.notes}};
+}
+
+void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
+    using enum TextTable::Align;
+    out << fmt::format("{}: {} triangles\n", scene, report.triangles);
+    TextTable table({{"builder", left}, {"traversal", left}, {"leaf lists", left}, {"tracer", left}, {"context", left},
+                     {"pixel rays"}, {"adversarial"}, {"mismatches"}, {"ties"}, {"counters"}, {"seconds"}, {"verdict", left}});
+    for (const VerifyRow& row : report.rows)
+        table.add_row({row.builder, row.traversal, row.leaf_lists, row.tracer, row.context,
+                       fmt::format("{}", row.pixel_rays), fmt::format("{}", row.adversarial_rays),
+                       fmt::format("{}", row.mismatches), fmt::format("{}", row.ties),
+                       row.tracer == "cpu" ? "-" : fmt::format("{}", row.counter_mismatches),
+                       fmt::format("{:.2f}", row.seconds), verdict(row)});
+    table.print(out);
+    for (const std::string& note : report.notes) out << "note: " << note << '\n';
+    for (const std::string& violation : report.violations) out << "bad tree: " << violation << '\n';
+    for (const VerifyRow& row : report.rows)
+        if (!row.first_failure.empty())
+            out << fmt::format("first failure of {} {} {} on {} {}: {}\n", row.builder, row.traversal, row.leaf_lists,
+                               row.tracer, row.context, row.first_failure);
+    out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
+}
+
+int run(const VerifyOptions& options, CommandContext& context) {
+    bool passed = true;
+    Json json = Json::array();
+    for (const std::string& name : options.scenes) {
+        Session session = options.session_for(name);
+        const VerifyConfig config = config_for(options, session);
+        if (name == options.scenes.front()) require_context(options, config);
+        const FlatScene scene = open_scene(options, session);
+        VerifyReport report;
+        {
+            ProgressLine progress(context);
+            const auto show = [&](float done, const std::string& what) { progress.show(done, name + ": " + what); };
+            report = verify(scene, session.build, config, show, context.stop);
+        }
+        check_stop(context);
+        passed = passed && report.passed();
+        if (options.json) json.push_back(json_of(report));
+        else {
+            if (name != options.scenes.front()) context.out << '\n';
+            print(context.out, name, report);
+            context.out.flush();
+        }
+    }
+    if (options.json) context.out << json_text(json);
+    return passed ? exit_ok : exit_check_failed;
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<VerifyOptions>();
+    VerifyConfig& config = options->config;
+    constexpr int most_rays = 1 << 24;
+    add_scenes(app, *options);
+    app.add_flag("--json", options->json, "JSON instead of a table");
+    add_number<int>(app, "--rays", config.stratified_rays, 1, most_rays,
+                    fmt::format("Pixel rays where there are too many triangles for every pixel's [{}]",
+                                config.stratified_rays));
+    add_number<std::int64_t>(app, "--every-pixel-limit", config.every_pixel_limit, 0, std::int64_t(1) << 40,
+                             fmt::format("Most triangles for checking every pixel's ray [{}]", config.every_pixel_limit));
+    add_number<int>(app, "--adversarial", config.adversarial_rays, 0, most_rays,
+                    fmt::format("Rays made to break traversals [{}]", config.adversarial_rays));
+    add_size_option(app, *options);
+    add_machine_options(app, *options);
+    add_tree_options(app, *options);
+    add_tracing_options(app, *options);
+    add_camera_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command verify_command() {
+    return {"verify", "Checks every traversal, builder and tracer against brute force, bit for bit",
+            "All builders, traversals and tracers are checked unless options name one. A mismatch is a hit, distance or\n"
+            "barycentric that differs in any bit; a tie is another triangle at the same distance; counters of OpenGL\n"
+            "must equal the CPU's. Exit code 1 where anything differs.\n\n"
+            "Examples:\n"
+            "  kdscope verify ball:9000 rooms scatter:10000\n"
+            "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n",
+            declare};
+}
+
+}  // namespace kd

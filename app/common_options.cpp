@@ -1,0 +1,159 @@
+#include "app/common_options.h"
+
+#include <fmt/format.h>
+
+#include "app/typed_options.h"
+#include "renderer/geometry/input_error.h"
+
+namespace kd {
+
+namespace {
+
+constexpr int largest_side = 16384;
+
+std::vector<NamedValue<Traversal>> traversal_names() {
+    std::vector<NamedValue<Traversal>> names;
+    for (const TraversalInfo& traversal : traversals()) names.push_back({std::string(traversal.name), traversal.id});
+    return names;
+}
+
+std::vector<NamedValue<std::string>> builder_names() {
+    std::vector<NamedValue<std::string>> names;
+    for (const Builder& builder : builders()) names.push_back({std::string(builder.name), std::string(builder.name)});
+    return names;
+}
+
+}  // namespace
+
+std::string_view name_of(TracerKind tracer) {
+    return tracer == TracerKind::cpu ? "cpu" : "gl-fragment";
+}
+
+std::string_view name_of(LeafLists lists) {
+    return lists == LeafLists::references ? "references" : "duplicated";
+}
+
+Session CommonOptions::session_for(const std::string& scene) const {
+    Session chosen = session;
+    chosen.scene = scene;
+    if (traversal) chosen.trace.traversal = *traversal;
+    if (tracer) chosen.tracer = *tracer;
+    if (builder) chosen.build.builder = *builder;
+    chosen.trace.shadows = !no_shadows;
+    return chosen;
+}
+
+void add_one_scene(CLI::App& app, CommonOptions& options, bool required) {
+    options.scenes = {options.session.scene};
+    CLI::Option* scene = app.add_option("SCENE", options.scenes, "A scene by name, or a .gltf or .glb file")
+                             ->expected(1)
+                             ->type_name("");
+    if (required) scene->required();
+    else scene->description(fmt::format("A scene by name, or a .gltf or .glb file [{}]", options.session.scene));
+}
+
+void add_scenes(CLI::App& app, CommonOptions& options) {
+    app.add_option("SCENE", options.scenes, "Scenes by name, or .gltf or .glb files")->required()->type_name("");
+}
+
+void add_tree_options(CLI::App& app, CommonOptions& o) {
+    BuildConfig& build = o.session.build;
+    const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
+    std::vector<CLI::Option*> all{
+        add_choice<std::string>(app, "--builder", o.builder, builder_names(), text("How the tree is built", build.builder)),
+        add_number<float>(app, "--traversal-cost", build.traversal_cost, 0.0f, 1e6f,
+                          text("Cost t_t of visiting an interior node", build.traversal_cost)),
+        add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
+                          text("Cost t_i of one triangle test", build.intersection_cost)),
+        add_number<float>(app, "--empty-bonus", build.empty_bonus, 0.0f, 1.0f,
+                          text("b_e: fraction of the test cost forgiven where a child is empty", build.empty_bonus)),
+        add_number<float>(app, "--empty-bonus-gate", build.empty_bonus_gate, 0.0f, 1.0f,
+                          text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
+                               build.empty_bonus_gate)),
+        add_number<int>(app, "--leaf-size", build.leaf_size, 1, 1 << 20,
+                        text("Nodes of at most N triangles become leaves", build.leaf_size)),
+        add_number<int>(app, "--max-depth", build.max_depth, 0, max_tree_depth,
+                        text("Depth limit; 0 is 8 + 1.6 log2(triangles)", build.max_depth)),
+        add_number<int>(app, "--bad-refines", build.bad_refines, 0, max_tree_depth,
+                        text("Splits on one path that may cost more than they save", build.bad_refines)),
+        add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
+                          text("Most leaf references per triangle", build.reference_cap)),
+    };
+    for (CLI::Option* option : all) option->group("Tree");
+}
+
+void add_tracing_options(CLI::App& app, CommonOptions& o) {
+    const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu}, {"gl-fragment", TracerKind::gl_fragment}};
+    const std::vector<NamedValue<ContextKind>> contexts{
+        {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
+    const std::vector<NamedValue<std::string>> rules{{"robust", "robust"}};
+    add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree")->group("Tracing");
+    add_choice(app, "--rules", o.rules, rules, "How a walk decides between children")->group("Tracing");
+    add_choice(app, "--tracer", o.tracer, tracers, "What traces: CPU, or GLSL fragment passes")->group("Tracing");
+    add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from")->group("Tracing");
+}
+
+void add_shading_options(CLI::App& app, CommonOptions& o) {
+    TraceConfig& trace = o.session.trace;
+    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
+                                                   {"duplicated", LeafLists::duplicated}};
+    add_choice(app, "--leaf-lists", trace.leaf_lists, lists, "Leaves hold triangle numbers or vertex copies")
+        ->group("Tracing");
+    app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
+    add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
+                    fmt::format("Mirror bounces [{}]", trace.reflection_depth))
+        ->group("Tracing");
+    add_number<float>(app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
+                      fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution))
+        ->group("Tracing");
+}
+
+void add_camera_options(CLI::App& app, CommonOptions& o) {
+    CameraOptions& camera = o.camera;
+    const auto add = [&](const char* flag, const char* type, const char* text, auto take) {
+        add_text_option(app, flag, type, text, take)->group("Camera (the scene's own unless given)");
+    };
+    const auto angle = [](float degrees) {
+        if (!(degrees > 0.0f && degrees <= 179.9f)) refuse(fmt::format("{} is not an angle in (0, 179.9]", degrees));
+        return degrees;
+    };
+    add("--camera", "TEXT", "All at once: \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", [&camera, angle](const std::string& text) {
+        const std::vector<float> v = parse_floats(text);
+        if (v.size() != 10) refuse(fmt::format("'{}' is not \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", text));
+        camera = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]), angle(v[9])};
+    });
+    add("--eye", "X,Y,Z", "Where the camera is", [&camera](const std::string& t) { camera.eye = parse_vec3(t); });
+    add("--target", "X,Y,Z", "What it looks at", [&camera](const std::string& t) { camera.target = parse_vec3(t); });
+    add("--up", "X,Y,Z", "Which way is up", [&camera](const std::string& t) { camera.up = parse_vec3(t); });
+    add("--fov", "DEGREES", "Full vertical angle of view", [&camera, angle](const std::string& text) {
+        const std::vector<float> v = parse_floats(text);
+        if (v.size() != 1) refuse(fmt::format("'{}' is not a number of degrees", text));
+        camera.fov_y_degrees = angle(v[0]);
+    });
+}
+
+void add_size_option(CLI::App& app, CommonOptions& o) {
+    add_pair(app, "--size", o.session.width, o.session.height, 1, largest_side,
+             fmt::format("Picture size in pixels [{}x{}]", o.session.width, o.session.height));
+}
+
+void add_machine_options(CLI::App& app, CommonOptions& o) {
+    add_number<int>(app, "--threads", o.session.threads, 0, 4096, "CPU threads; 0 is all [0]");
+    add_number<unsigned>(app, "--seed", o.session.seed, 0u, 4294967295u,
+                         fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
+}
+
+FlatScene open_scene(const CommonOptions& options, Session& session) {
+    FlatScene scene = load_scene(session.scene, session.seed);
+    Camera& camera = scene.camera;
+    camera.eye = options.camera.eye.value_or(camera.eye);
+    camera.target = options.camera.target.value_or(camera.target);
+    camera.up = options.camera.up.value_or(camera.up);
+    camera.fov_y_degrees = options.camera.fov_y_degrees.value_or(camera.fov_y_degrees);
+    if (!is_valid(camera))
+        throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
+    session.camera = camera;
+    return scene;
+}
+
+}  // namespace kd

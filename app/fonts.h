@@ -1,0 +1,19 @@
+// Finding the fonts of the window among those that are installed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace kd {
+
+/// Scalable font files; absent where none is installed (Dear ImGui's own bitmap font serves then).
+struct FontFiles {
+    std::optional<std::filesystem::path> text;  // proportional, with figures of one width
+    std::optional<std::filesystem::path> bold;
+    std::optional<std::filesystem::path> code;  // fixed width
+};
+
+/// Looks in $KDSCOPE_FONTS, the user's font folder and the system's.
+[[nodiscard]] FontFiles find_fonts();
+
+}  // namespace kd

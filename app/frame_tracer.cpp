@@ -1,0 +1,101 @@
+#include "app/frame_tracer.h"
+
+#include <algorithm>
+
+#include "app/machine_info.h"
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/measure/timing.h"
+
+namespace kd {
+
+namespace {
+
+class CpuFrameTracer final : public FrameTracer {
+  public:
+    CpuFrameTracer(const FlatScene& scene, const KdTree& tree, int threads) : tracer_(scene, tree), threads_(threads) {}
+
+    void prepare(const TraceConfig& config, int width, int height) override {
+        tracer_.prepare(config);
+        if (frame_.width != width || frame_.height != height) frame_ = Frame(width, height);
+    }
+
+    FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
+                    const std::function<void(float)>& progress) override {
+        prepare(config, width, height);
+        FrameTime time;
+        time.total_ms = wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
+        return time;
+    }
+
+    [[nodiscard]] Frame frame(const TraceConfig&) override { return frame_; }
+    [[nodiscard]] std::string renderer() const override { return cpu_renderer(threads_); }
+    [[nodiscard]] std::string clock() const override { return "steady clock"; }
+
+  private:
+    CpuTracer tracer_;
+    Frame frame_;
+    int threads_;
+};
+
+class GlFrameTracer final : public FrameTracer {
+  public:
+    GlFrameTracer(const FlatScene& scene, const KdTree& tree, ContextKind kind)
+        : context_(Context::create(kind)), tracer_(std::make_unique<GlTracer>(*context_)) {
+        tracer_->upload(scene, tree);
+    }
+    ~GlFrameTracer() override { context_->make_current(); }
+    GlFrameTracer(const GlFrameTracer&) = delete;
+    GlFrameTracer& operator=(const GlFrameTracer&) = delete;
+
+    void prepare(const TraceConfig& config, int width, int height) override {
+        context_->make_current();
+        tracer_->prepare({.trace = config}, width, height);
+    }
+
+    FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
+                    const std::function<void(float)>& progress) override {
+        context_->make_current();
+        const int rows = progress ? std::max(1, pixels_per_band / width) : height;
+        FrameTime time;
+        for (int y = 0; y < height; y += rows) {
+            if (stop.stop_requested()) {
+                time.complete = false;
+                break;
+            }
+            const Tile band{0, y, width, std::min(y + rows, height)};
+            const GlFrameReport report = tracer_->draw({.trace = config}, camera, width, height, band);
+            clock_ = report.clock;
+            time.total_ms += report.total_ms;
+            for (std::size_t pass = 0; pass < pass_count; ++pass)
+                if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+            if (progress) progress(float(band.y1) / float(height));
+        }
+        return time;
+    }
+
+    [[nodiscard]] Frame frame(const TraceConfig& config) override {
+        context_->make_current();
+        return tracer_->read_frame(config);
+    }
+    [[nodiscard]] std::string renderer() const override { return context_->renderer(); }
+    [[nodiscard]] std::string clock() const override { return clock_; }
+    [[nodiscard]] bool software_gl() const override { return context_->is_software(); }
+
+  private:
+    static constexpr int pixels_per_band = 32768;
+
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<GlTracer> tracer_;
+    std::string clock_ = "not read";
+};
+
+}  // namespace
+
+std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree, int threads,
+                                               ContextKind context) {
+    if (kind == TracerKind::cpu) return std::make_unique<CpuFrameTracer>(scene, tree, threads);
+    return std::make_unique<GlFrameTracer>(scene, tree, context);
+}
+
+}  // namespace kd

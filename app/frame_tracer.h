@@ -1,0 +1,47 @@
+// Whole frames by any tracer, one after another, timed: what pictures and benchmarks are made with.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "app/session.h"
+#include "renderer/gl/context.h"
+#include "renderer/kdtree/tree.h"
+#include "renderer/trace/frame.h"
+
+namespace kd {
+
+/// What one frame took. `pass_ms` is -1 where passes are not timed apart or did not run.
+struct FrameTime {
+    double total_ms = 0;
+    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
+    bool complete = true;  // false where stopped
+};
+
+class FrameTracer {
+  public:
+    virtual ~FrameTracer() = default;
+
+    /// Makes tables, programs and targets, outside of any timing. InputError where the tracer has to refuse.
+    virtual void prepare(const TraceConfig& config, int width, int height) = 0;
+
+    /// Traces one frame and keeps it. With `progress` the work is cut into bands, between which it can be stopped.
+    virtual FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                            std::stop_token stop = {}, const std::function<void(float)>& progress = {}) = 0;
+
+    /// The frame traced last.
+    [[nodiscard]] virtual Frame frame(const TraceConfig& config) = 0;
+
+    [[nodiscard]] virtual std::string renderer() const = 0;  // what it runs on
+    [[nodiscard]] virtual std::string clock() const = 0;     // what its times are read from
+    [[nodiscard]] virtual bool software_gl() const { return false; }
+};
+
+/// `scene` and `tree` must outlive the tracer. `context` and `threads` matter to GL and to the CPU alone. ContextError.
+[[nodiscard]] std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree,
+                                                             int threads, ContextKind context);
+
+}  // namespace kd

@@ -1,0 +1,135 @@
+#include "app/json_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+
+namespace kd {
+
+namespace {
+
+Json json_of(Vec3 v) {
+    return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)});
+}
+
+}  // namespace
+
+Json json_number(float value) {
+    if (!std::isfinite(value)) return nullptr;
+    return Json::parse(fmt::format("{}", value));
+}
+
+std::string json_text(const Json& value) {
+    return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string json_key(std::string_view name) {
+    std::string key(name);
+    std::ranges::replace(key, ' ', '_');
+    return key;
+}
+
+Json json_of(const BuildConfig& b) {
+    return {{"builder", b.builder},
+            {"traversal_cost", json_number(b.traversal_cost)},
+            {"intersection_cost", json_number(b.intersection_cost)},
+            {"empty_bonus", json_number(b.empty_bonus)},
+            {"empty_bonus_gate", json_number(b.empty_bonus_gate)},
+            {"leaf_size", b.leaf_size},
+            {"max_depth", b.max_depth},
+            {"bad_refines", b.bad_refines},
+            {"reference_cap", json_number(b.reference_cap)}};
+}
+
+Json json_of(const Session& s) {
+    Json json{{"scene", s.scene},
+              {"seed", s.seed},
+              {"width", s.width},
+              {"height", s.height},
+              {"tracer", name_of(s.tracer)},
+              {"traversal", info(s.trace.traversal).name},
+              {"rules", "robust"},
+              {"leaf_lists", name_of(s.trace.leaf_lists)},
+              {"shadows", s.trace.shadows},
+              {"reflection_depth", s.trace.reflection_depth},
+              {"min_contribution", json_number(s.trace.least_contribution)},
+              {"threads", s.threads},
+              {"build", json_of(s.build)}};
+    if (s.camera)
+        json["camera"] = {{"eye", json_of(s.camera->eye)},
+                          {"target", json_of(s.camera->target)},
+                          {"up", json_of(s.camera->up)},
+                          {"fov", json_number(s.camera->fov_y_degrees)}};
+    return json;
+}
+
+Json json_of(const FlatScene& scene) {
+    Json json{{"name", scene.name},
+              {"triangles", scene.triangles.size()},
+              {"materials", scene.materials.size()},
+              {"textures", scene.textures.size()},
+              {"lights", scene.lights.size()},
+              {"notes", scene.notes}};
+    json["bounds"] = scene.bounds.empty() ? Json(nullptr)
+                                          : Json{{"lower", json_of(scene.bounds.lower)}, {"upper", json_of(scene.bounds.upper)}};
+    return json;
+}
+
+Json json_of(const TreeStats& s) {
+    return {{"triangles", s.triangles},
+            {"nodes", s.nodes},
+            {"interior", s.interior},
+            {"leaves", s.leaves},
+            {"empty_leaves", s.empty_leaves},
+            {"references", s.references},
+            {"references_per_triangle", s.references_per_triangle},
+            {"deepest", s.deepest},
+            {"mean_leaf_depth", s.mean_leaf_depth},
+            {"largest_leaf", s.largest_leaf},
+            {"leaf_sizes", s.leaf_sizes},
+            {"sah_cost", s.sah_cost},
+            {"expected_interior_visits", s.expected_interior_visits},
+            {"expected_leaf_visits", s.expected_leaf_visits},
+            {"expected_triangle_tests", s.expected_triangle_tests},
+            {"node_bytes", s.node_bytes},
+            {"reference_list_bytes", s.reference_list_bytes},
+            {"duplicated_list_bytes", s.duplicated_list_bytes}};
+}
+
+Json json_of(const CounterTotals& c) {
+    return {{"rays", c.rays},
+            {"interior_first", c.interior_first},
+            {"interior_again", c.interior_again},
+            {"leaves", c.leaves},
+            {"triangle_tests", c.triangle_tests},
+            {"restarts", c.restarts},
+            {"backtracks", c.backtracks},
+            {"stack_depth", c.stack_depth}};
+}
+
+std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {
+    std::array<CounterTotals, pass_count> totals;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        for (const RayCounters& counters : frame.layers[pass].counters.pixels) totals[pass].add(counters);
+        totals[pass].rays = std::uint64_t(rays[pass]);  // a pixel may trace none, or several
+    }
+    return totals;
+}
+
+CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes) {
+    CounterTotals sum;
+    for (const CounterTotals& t : passes) {
+        sum.rays += t.rays;
+        sum.interior_first += t.interior_first;
+        sum.interior_again += t.interior_again;
+        sum.leaves += t.leaves;
+        sum.triangle_tests += t.triangle_tests;
+        sum.restarts += t.restarts;
+        sum.backtracks += t.backtracks;
+        sum.stack_depth = std::max(sum.stack_depth, t.stack_depth);
+    }
+    return sum;
+}
+
+}  // namespace kd

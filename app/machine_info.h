@@ -1,0 +1,14 @@
+// The machine, as it stands in captions and reports.
+#pragma once
+
+#include <string>
+
+namespace kd {
+
+/// "Intel(R) Xeon(R) ...", or "unknown CPU".
+[[nodiscard]] std::string cpu_model();
+
+/// "Intel(R) Xeon(R) ..., AVX2, 2 threads": the renderer's name of the CPU tracers. 0 threads = all.
+[[nodiscard]] std::string cpu_renderer(int threads);
+
+}  // namespace kd

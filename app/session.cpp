@@ -1,0 +1,63 @@
+#include "app/session.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "app/assets.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/gltf.h"
+#include "renderer/io/printable.h"
+#include "renderer/scene/procedural.h"
+
+namespace kd {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool names_gltf(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
+
+std::string known_scenes() {
+    std::string list;
+    for (const ProceduralScene& scene : procedural_scenes())
+        list += fmt::format("{}{}{}", list.empty() ? "" : ", ", scene.name, scene.default_size > 0 ? ":N" : "");
+    for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
+    return list;
+}
+
+/// The file meant: as given, or a scene shipped under this name.
+fs::path scene_file(const std::string& name) {
+    std::error_code error;
+    const fs::path given(name);
+    if (fs::exists(given, error)) return given;
+    if (!given.has_parent_path() && names_gltf(given))
+        if (const auto shipped = find_asset("scenes/" + name)) return *shipped;
+    throw InputError(fmt::format("scene '{}': no such file, and no scene of this name; known: {}, or a .gltf or .glb file",
+                                 printable(name), known_scenes()));
+}
+
+}  // namespace
+
+FlatScene load_scene(const std::string& name, unsigned seed) {
+    if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);
+    const fs::path file = scene_file(name);
+    if (!names_gltf(file))
+        throw InputError(fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0",
+                                     printable(name)));
+    return flatten(load_gltf(file));
+}
+
+bool names_scene(const std::string& name) {
+    std::error_code error;
+    const std::string base = name.substr(0, name.find(':'));
+    return std::ranges::any_of(procedural_scenes(), [&](const ProceduralScene& s) { return s.name == base; }) ||
+           names_gltf(name) || fs::is_regular_file(name, error);
+}
+
+}  // namespace kd

@@ -1,0 +1,39 @@
+#include "app/text_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <ostream>
+
+namespace kd {
+
+void TextTable::add_row(std::vector<std::string> cells) {
+    assert(cells.size() == columns_.size());
+    rows_.push_back(std::move(cells));
+}
+
+void TextTable::print_row(std::ostream& out, const std::vector<std::string>& cells,
+                          const std::vector<std::size_t>& widths) const {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string gap(widths[i] - cells[i].size(), ' ');
+        if (i > 0) line += "  ";
+        line += columns_[i].align == Align::left ? cells[i] + gap : gap + cells[i];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+}
+
+void TextTable::print(std::ostream& out) const {
+    std::vector<std::string> titles;
+    std::vector<std::size_t> widths;
+    for (const Column& column : columns_) {
+        titles.push_back(column.title);
+        widths.push_back(column.title.size());
+    }
+    for (const auto& row : rows_)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    print_row(out, titles, widths);
+    for (const auto& row : rows_) print_row(out, row, widths);
+}
+
+}  // namespace kd

@@ -1,0 +1,80 @@
+// The textures that passes draw into and read from each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/gl/bindings.h"
+#include "renderer/gl/object.h"
+#include "renderer/trace/frame.h"
+
+namespace kd {
+
+/// What the targets are made for.
+struct TargetKey {
+    int width = 0, height = 0;
+    bool counters = true;
+    int bounces = 0; // 0, 1, or 2 for more
+
+    bool operator==(const TargetKey&) const = default;
+};
+
+/// Hit and counters of one pass's rays.
+struct LayerTargets {
+    GlTexture hit, counters_a, counters_b;
+};
+
+/// The path after a bounce: what RTRefl leaves for ShadeRefl and for the next RTRefl.
+struct PathTargets {
+    GlTexture hit, direction, weight;
+};
+
+/// All are made "untraced": colour with alpha 0, hits -1, counters and weights 0, depth 1.
+class FrameTargets {
+public:
+    FrameTargets() = default;
+    FrameTargets(const GlApi& gl, const TargetKey& key);
+
+    [[nodiscard]] const TargetKey& key() const { return key_; }
+    [[nodiscard]] std::int64_t bytes() const { return bytes_; }
+
+    /// RTPrim and ShadePrim.
+    [[nodiscard]] GLuint framebuffer(Pass pass) const { return framebuffers_[static_cast<std::size_t>(pass)].id(); }
+    /// RTRefl of a bounce, 0 first: it draws into path(bounce).
+    [[nodiscard]] GLuint bounce_framebuffer(int bounce) const { return bounces_[std::size_t(bounce % 2)].id(); }
+    [[nodiscard]] const PathTargets& path(int bounce) const { return paths_[std::size_t(bounce % 2)]; }
+    [[nodiscard]] const LayerTargets& layer(Pass pass) const { return layers_[static_cast<std::size_t>(pass)]; }
+    /// Copies of a layer as it was before a later bounce.
+    [[nodiscard]] const LayerTargets& earlier() const { return earlier_; }
+    [[nodiscard]] GLuint colour() const { return colour_.id(); }
+    /// The hit of the first bounce.
+    [[nodiscard]] GLuint first_reflection_hit() const;
+
+    /// Sets the scissored part to untraced, and its colour to `background` with alpha 1.
+    void clear(const GlApi& gl, const std::array<float, 4>& background) const;
+
+private:
+    TargetKey key_;
+    std::int64_t bytes_ = 0;
+    GlTexture colour_, depth_;
+    std::array<LayerTargets, pass_count> layers_;
+    std::array<PathTargets, 2> paths_;
+    LayerTargets earlier_;
+    std::array<GlFramebuffer, pass_count> framebuffers_;
+    std::array<GlFramebuffer, 2> bounces_;
+
+    GlTexture texture(const GlApi& gl, GLenum format, int bytes_per_texel);
+    LayerTargets make_layer(const GlApi& gl, bool with_hit);
+    void make_reflection_targets(const GlApi& gl);
+    GlFramebuffer attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs) const;
+    void clear_framebuffer(const GlApi& gl, GLuint framebuffer, const float* colour) const;
+};
+
+/// A texture with one level and no filtering.
+[[nodiscard]] GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height);
+
+/// A framebuffer of these textures (null or empty = none) and depth; GlError where the driver refuses it.
+[[nodiscard]] GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
+                                             GLuint depth);
+
+} // namespace kd

@@ -1,0 +1,97 @@
+// The OpenGL functions that the project calls, found at run time. The list says exactly which.
+#pragma once
+
+#include <GL/glcorearb.h>
+#include <functional>
+#include <string>
+#include <vector>
+
+// X(name, NAME): glName with type PFNGLNAMEPROC. All are in OpenGL 4.3.
+#define KD_GL_FUNCTIONS(X)                                                                                             \
+    X(ActiveTexture, ACTIVETEXTURE)                                                                                    \
+    X(AttachShader, ATTACHSHADER)                                                                                      \
+    X(BeginQuery, BEGINQUERY)                                                                                          \
+    X(BindBuffer, BINDBUFFER)                                                                                          \
+    X(BindBufferBase, BINDBUFFERBASE)                                                                                  \
+    X(BindFramebuffer, BINDFRAMEBUFFER)                                                                                \
+    X(BindTexture, BINDTEXTURE)                                                                                        \
+    X(BindVertexArray, BINDVERTEXARRAY)                                                                                \
+    X(BlendEquation, BLENDEQUATION)                                                                                    \
+    X(BlendFunc, BLENDFUNC)                                                                                            \
+    X(BlendFunci, BLENDFUNCI)                                                                                          \
+    X(BlitFramebuffer, BLITFRAMEBUFFER)                                                                                \
+    X(BufferData, BUFFERDATA)                                                                                          \
+    X(BufferSubData, BUFFERSUBDATA)                                                                                    \
+    X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS)                                                                  \
+    X(Clear, CLEAR)                                                                                                    \
+    X(ClearBufferfv, CLEARBUFFERFV)                                                                                    \
+    X(ClearBufferuiv, CLEARBUFFERUIV)                                                                                  \
+    X(ClearColor, CLEARCOLOR)                                                                                          \
+    X(ColorMask, COLORMASK)                                                                                            \
+    X(CompileShader, COMPILESHADER)                                                                                    \
+    X(CopyImageSubData, COPYIMAGESUBDATA)                                                                              \
+    X(CreateProgram, CREATEPROGRAM)                                                                                    \
+    X(CreateShader, CREATESHADER)                                                                                      \
+    X(DeleteBuffers, DELETEBUFFERS)                                                                                    \
+    X(DeleteFramebuffers, DELETEFRAMEBUFFERS)                                                                          \
+    X(DeleteProgram, DELETEPROGRAM)                                                                                    \
+    X(DeleteQueries, DELETEQUERIES)                                                                                    \
+    X(DeleteShader, DELETESHADER)                                                                                      \
+    X(DeleteTextures, DELETETEXTURES)                                                                                  \
+    X(DeleteVertexArrays, DELETEVERTEXARRAYS)                                                                          \
+    X(DepthFunc, DEPTHFUNC)                                                                                            \
+    X(DepthMask, DEPTHMASK)                                                                                            \
+    X(Disable, DISABLE)                                                                                                \
+    X(DrawArrays, DRAWARRAYS)                                                                                          \
+    X(DrawBuffers, DRAWBUFFERS)                                                                                        \
+    X(Enable, ENABLE)                                                                                                  \
+    X(Enablei, ENABLEI)                                                                                                \
+    X(EndQuery, ENDQUERY)                                                                                              \
+    X(Finish, FINISH)                                                                                                  \
+    X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D)                                                                      \
+    X(GenBuffers, GENBUFFERS)                                                                                          \
+    X(GenFramebuffers, GENFRAMEBUFFERS)                                                                                \
+    X(GenQueries, GENQUERIES)                                                                                          \
+    X(GenTextures, GENTEXTURES)                                                                                        \
+    X(GenVertexArrays, GENVERTEXARRAYS)                                                                                \
+    X(GetBufferSubData, GETBUFFERSUBDATA)                                                                              \
+    X(GetError, GETERROR)                                                                                              \
+    X(GetIntegerv, GETINTEGERV)                                                                                        \
+    X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                                                            \
+    X(GetProgramiv, GETPROGRAMIV)                                                                                      \
+    X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)                                                                        \
+    X(GetShaderInfoLog, GETSHADERINFOLOG)                                                                              \
+    X(GetShaderiv, GETSHADERIV)                                                                                        \
+    X(GetString, GETSTRING)                                                                                            \
+    X(GetTexImage, GETTEXIMAGE)                                                                                        \
+    X(IsEnabled, ISENABLED)                                                                                            \
+    X(LinkProgram, LINKPROGRAM)                                                                                        \
+    X(PixelStorei, PIXELSTOREI)                                                                                        \
+    X(QueryCounter, QUERYCOUNTER)                                                                                      \
+    X(ReadPixels, READPIXELS)                                                                                          \
+    X(Scissor, SCISSOR)                                                                                                \
+    X(ShaderSource, SHADERSOURCE)                                                                                      \
+    X(TexBuffer, TEXBUFFER)                                                                                            \
+    X(TexImage2D, TEXIMAGE2D)                                                                                          \
+    X(TexParameteri, TEXPARAMETERI)                                                                                    \
+    X(TexStorage2D, TEXSTORAGE2D)                                                                                      \
+    X(TexSubImage2D, TEXSUBIMAGE2D)                                                                                    \
+    X(UseProgram, USEPROGRAM)                                                                                          \
+    X(Viewport, VIEWPORT)
+
+namespace kd {
+
+/// One table of functions per context. `gl.DrawArrays(...)` is glDrawArrays.
+struct GlApi {
+    using GetProc = std::function<void*(const char* name)>;
+
+#define KD_GL_MEMBER(name, NAME) PFNGL##NAME##PROC name = nullptr;
+    KD_GL_FUNCTIONS(KD_GL_MEMBER)
+#undef KD_GL_MEMBER
+
+    /// Fills the table from eglGetProcAddress, OSMesaGetProcAddress, glfwGetProcAddress or alike, and returns the names
+    /// that were not found.
+    [[nodiscard]] std::vector<std::string> load(const GetProc& get_proc);
+};
+
+} // namespace kd

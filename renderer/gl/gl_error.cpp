@@ -1,0 +1,32 @@
+#include "renderer/gl/gl_error.h"
+
+#include <fmt/format.h>
+
+namespace kd {
+
+namespace {
+
+std::string_view name_of_error(GLenum code)
+{
+    switch (code) {
+    case GL_INVALID_ENUM: return "invalid enum";
+    case GL_INVALID_VALUE: return "invalid value";
+    case GL_INVALID_OPERATION: return "invalid operation";
+    case GL_INVALID_FRAMEBUFFER_OPERATION: return "incomplete framebuffer";
+    case GL_OUT_OF_MEMORY: return "out of memory";
+    default: return "unknown error";
+    }
+}
+
+} // namespace
+
+void check_gl(const GlApi& gl, std::string_view step)
+{
+    const GLenum code = gl.GetError();
+    if (code == GL_NO_ERROR) return;
+    // Older errors in the queue would be blamed on the next step. A lost context may report errors without end.
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {}
+    throw GlError(fmt::format("OpenGL: {} while {} (0x{:04x})", name_of_error(code), step, code));
+}
+
+} // namespace kd

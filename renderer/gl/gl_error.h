@@ -1,0 +1,19 @@
+// What goes wrong inside OpenGL.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+#include "renderer/gl/gl_api.h"
+
+namespace kd {
+
+/// GL errors and shader errors; what() names the step, or the shader file and line.
+struct GlError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// GlError naming `step` where glGetError reports anything since the last call.
+void check_gl(const GlApi& gl, std::string_view step);
+
+} // namespace kd

@@ -1,0 +1,78 @@
+#include "renderer/gl/gl_limits.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/kdtree/encode.h"
+
+namespace kd {
+
+namespace {
+
+void check_texels(std::string_view what, std::int64_t texels, std::int64_t limit, std::string_view remedy)
+{
+    if (texels > limit)
+        throw InputError(fmt::format("scene on OpenGL: {} take {} texels, a texture buffer holds {} here; {}", what, texels,
+                                     limit, remedy));
+}
+
+void check_float_index(std::string_view what, std::int64_t largest)
+{
+    if (largest > float_index_limit)
+        throw InputError(fmt::format("scene on OpenGL: {} {} do not fit the tree's float4 texels, which number things "
+                                     "exactly up to {}; use larger leaves or --tracer cpu",
+                                     largest, what, float_index_limit));
+}
+
+} // namespace
+
+UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree)
+{
+    UploadSizes sizes;
+    sizes.nodes = std::int64_t(tree.nodes.size());
+    sizes.references = std::int64_t(tree.references.size());
+    sizes.triangles = std::int64_t(scene.triangles.size());
+    sizes.lights = std::int64_t(scene.lights.size());
+    for (const Image<Rgba8>& image : scene.textures) sizes.texels += std::int64_t(image.pixels.size());
+    sizes.table_texels =
+        3 * std::int64_t(scene.materials.size()) + 4 * sizes.lights + std::int64_t(scene.textures.size());
+    return sizes;
+}
+
+void check_upload(const UploadSizes& sizes, const GlLimits& limits)
+{
+    check_float_index("nodes", sizes.nodes);
+    check_float_index("leaf list entries", sizes.references);
+    check_texels("the tree's nodes", sizes.nodes, limits.buffer_texels, "use larger leaves or --tracer cpu");
+    check_texels("the leaf lists", sizes.references, limits.buffer_texels, "use larger leaves or --tracer cpu");
+    check_texels("the triangles", 3 * sizes.triangles, limits.buffer_texels, "use a smaller scene or --tracer cpu");
+    check_texels("the images", sizes.texels, limits.buffer_texels, "use smaller images or --tracer cpu");
+    check_texels("materials and lights", sizes.table_texels, limits.buffer_texels, "use fewer or --tracer cpu");
+}
+
+void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits)
+{
+    if (config.leaf_lists == LeafLists::duplicated)
+        check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
+    if (info(config.traversal).needs_boxes)
+        check_texels("the boxes of all nodes", 2 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
+    if (config.traversal == Traversal::naive) {
+        // One invocation traces the shadow rays to all lights.
+        const std::int64_t rays = config.shadows ? std::max<std::int64_t>(1, sizes.lights) : 1;
+        if (sizes.triangles * rays > gl_step_budget)
+            throw InputError(fmt::format("traversal naive on OpenGL: {} triangles times {} rays per shader call exceed {} "
+                                         "loop steps; use another traversal, --tracer cpu or a smaller scene",
+                                         sizes.triangles, rays, gl_step_budget));
+    }
+}
+
+void check_image(int width, int height, const GlLimits& limits)
+{
+    if (width > limits.texture_size || height > limits.texture_size)
+        throw InputError(fmt::format("image of {}x{} pixels: a texture holds {}x{} here; ask for a smaller one", width,
+                                     height, limits.texture_size, limits.texture_size));
+}
+
+} // namespace kd

@@ -1,0 +1,84 @@
+#include "renderer/gl/pass_timer.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::size_t frame_queries = 2;
+
+double ms_since(std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+} // namespace
+
+GLuint PassTimer::query(std::size_t index)
+{
+    while (queries_.size() <= index) queries_.emplace_back(gl_);
+    return queries_[index].id();
+}
+
+void PassTimer::begin_frame()
+{
+    spans_.clear();
+    if (software_) {
+        gl_.Finish();
+        frame_begin_ = Clock::now();
+    } else {
+        gl_.QueryCounter(query(0), GL_TIMESTAMP);
+    }
+}
+
+void PassTimer::begin(Pass pass)
+{
+    spans_.push_back({pass, frame_queries + spans_.size()});
+    if (software_) {
+        gl_.Finish();
+        span_begin_ = Clock::now();
+    } else {
+        gl_.BeginQuery(GL_TIME_ELAPSED, query(spans_.back().query));
+    }
+}
+
+void PassTimer::end()
+{
+    if (software_) {
+        gl_.Finish();
+        spans_.back().ms = ms_since(span_begin_);
+    } else {
+        gl_.EndQuery(GL_TIME_ELAPSED);
+    }
+}
+
+double PassTimer::elapsed_ms(std::size_t first, std::size_t second)
+{
+    GLuint64 begin = 0;
+    GLuint64 finish = 0;
+    gl_.GetQueryObjectui64v(query(first), GL_QUERY_RESULT, &begin);
+    gl_.GetQueryObjectui64v(query(second), GL_QUERY_RESULT, &finish);
+    return double(finish - begin) * 1e-6;
+}
+
+void PassTimer::end_frame(GlFrameReport& report)
+{
+    if (software_) {
+        gl_.Finish();
+        report.total_ms = ms_since(frame_begin_);
+        report.clock = "finish + steady clock";
+    } else {
+        gl_.QueryCounter(query(1), GL_TIMESTAMP);
+        report.total_ms = elapsed_ms(0, 1);
+        report.clock = "timer query";
+    }
+    for (Span& span : spans_) {
+        if (!software_) {
+            GLuint64 ns = 0;
+            gl_.GetQueryObjectui64v(query(span.query), GL_QUERY_RESULT, &ns);
+            span.ms = double(ns) * 1e-6;
+        }
+        report.pass_ms[static_cast<std::size_t>(span.pass)] += span.ms;
+    }
+}
+
+} // namespace kd

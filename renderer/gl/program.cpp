@@ -1,0 +1,99 @@
+#include "renderer/gl/program.h"
+
+#include <fmt/format.h>
+#include <tuple>
+
+namespace kd {
+
+namespace {
+
+/// A compiled shader, deleted at the end of the scope.
+class GlShader {
+public:
+    GlShader(const GlApi& gl, GLenum stage) : gl_(gl), id_(gl.CreateShader(stage)) {}
+    ~GlShader() { gl_.DeleteShader(id_); }
+    GlShader(const GlShader&) = delete;
+    GlShader& operator=(const GlShader&) = delete;
+
+    void compile(const std::string& entry, const ShaderSource& source)
+    {
+        const char* text = source.text.c_str();
+        gl_.ShaderSource(id_, 1, &text, nullptr);
+        gl_.CompileShader(id_);
+        GLint good = 0;
+        gl_.GetShaderiv(id_, GL_COMPILE_STATUS, &good);
+        if (!good) throw GlError(fmt::format("shader {} does not compile:\n{}", entry, source.map_log(log())));
+    }
+
+    [[nodiscard]] GLuint id() const { return id_; }
+
+private:
+    const GlApi& gl_;
+    GLuint id_;
+
+    std::string log() const
+    {
+        GLint length = 0;
+        gl_.GetShaderiv(id_, GL_INFO_LOG_LENGTH, &length);
+        std::string text(static_cast<std::size_t>(length) + 1, '\0');
+        gl_.GetShaderInfoLog(id_, length, &length, text.data());
+        text.resize(static_cast<std::size_t>(length));
+        return text;
+    }
+};
+
+ShaderSource resolve(const std::string& entry, const ShaderDefines& defines, const ShaderReader& read)
+{
+    try {
+        return resolve_shader(entry, defines, read);
+    } catch (const ShaderError& error) {
+        throw GlError(error.what());
+    }
+}
+
+std::string link_log(const GlApi& gl, GLuint program)
+{
+    GLint length = 0;
+    gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string text(static_cast<std::size_t>(length) + 1, '\0');
+    gl.GetProgramInfoLog(program, length, &length, text.data());
+    text.resize(static_cast<std::size_t>(length));
+    return text;
+}
+
+} // namespace
+
+GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader& read) : gl_(gl), id_(0)
+{
+    GlShader vertex(gl, GL_VERTEX_SHADER);
+    vertex.compile(key.vertex, resolve(key.vertex, key.defines, read));
+    GlShader fragment(gl, GL_FRAGMENT_SHADER);
+    const ShaderSource source = resolve(key.fragment, key.defines, read);
+    fragment.compile(key.fragment, source);
+
+    id_ = gl.CreateProgram();
+    gl.AttachShader(id_, vertex.id());
+    gl.AttachShader(id_, fragment.id());
+    gl.LinkProgram(id_);
+    GLint good = 0;
+    gl.GetProgramiv(id_, GL_LINK_STATUS, &good);
+    if (good) return;
+    const std::string log = source.map_log(link_log(gl, id_));
+    gl.DeleteProgram(id_);
+    throw GlError(fmt::format("shaders {} and {} do not link:\n{}", key.vertex, key.fragment, log));
+}
+
+GlProgram::~GlProgram()
+{
+    gl_.DeleteProgram(id_);
+}
+
+const GlProgram& ProgramCache::get(const ProgramKey& key)
+{
+    if (const auto found = programs_.find(key); found != programs_.end()) return found->second;
+    return programs_
+        .emplace(std::piecewise_construct, std::forward_as_tuple(key), std::forward_as_tuple(gl_, key, read_))
+        .first->second;
+}
+
+} // namespace kd

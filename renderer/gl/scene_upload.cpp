@@ -1,0 +1,177 @@
+#include "renderer/gl/scene_upload.h"
+
+#include <algorithm>
+#include <bit>
+#include <glm/vec4.hpp>
+
+#include "renderer/kdtree/encode.h"
+
+namespace kd {
+
+namespace {
+
+using Words = glm::uvec4;
+
+constexpr int loop_check_rounds = 4; // see check_loops() in shaders/fragment/observer_hooks.glsl
+
+unsigned bits(float x)
+{
+    return std::bit_cast<unsigned>(x);
+}
+
+Words words(Vec3 v, unsigned w)
+{
+    return {bits(v.x), bits(v.y), bits(v.z), w};
+}
+
+/// Materials, lights and the places of images, as fetch_material and its like in shaders/fragment read them.
+std::vector<Words> encode_tables(const FlatScene& scene)
+{
+    std::vector<Words> table;
+    for (const Material& m : scene.materials) {
+        table.push_back(words(m.diffuse, bits(m.shininess)));
+        table.push_back(words(m.specular, unsigned(m.texture)));
+        table.push_back(words(m.reflectance, 0));
+    }
+    for (const Light& l : scene.lights) {
+        table.push_back(words(l.position, unsigned(l.kind)));
+        table.push_back(words(l.direction, bits(l.range)));
+        table.push_back(words(l.colour, 0));
+        table.emplace_back(bits(l.attenuation.x), bits(l.attenuation.y), bits(l.cos_inner), bits(l.cos_outer));
+    }
+    std::size_t begin = 0;
+    for (const Image<Rgba8>& image : scene.textures) {
+        table.emplace_back(unsigned(begin), unsigned(image.width), unsigned(image.height), 0u);
+        begin += image.pixels.size();
+    }
+    return table;
+}
+
+/// One texel per corner: a texture buffer of three floats would save a quarter, at a third of the speed on some GPUs.
+std::vector<Vec4> encode_corners(const std::vector<Triangle>& triangles)
+{
+    std::vector<Vec4> texels;
+    texels.reserve(3 * triangles.size());
+    for (const Triangle& t : triangles)
+        for (const Vec3& p : t.corner) texels.emplace_back(p, 0.0f);
+    return texels;
+}
+
+std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes)
+{
+    std::vector<Vec4> texels;
+    texels.reserve(2 * boxes.size());
+    for (const Aabb& box : boxes) {
+        texels.emplace_back(box.lower, 0.0f);
+        texels.emplace_back(box.upper, 0.0f);
+    }
+    return texels;
+}
+
+std::vector<Vec4> encode_normals(const FlatScene& scene)
+{
+    std::vector<Vec4> texels;
+    for (const TriangleAttributes& t : scene.attributes)
+        for (const Vec3& normal : t.normal) texels.emplace_back(normal, 0.0f);
+    return texels;
+}
+
+std::vector<Vec2> encode_texture_coordinates(const FlatScene& scene)
+{
+    std::vector<Vec2> texels;
+    for (const TriangleAttributes& t : scene.attributes) texels.insert(texels.end(), std::begin(t.uv), std::end(t.uv));
+    return texels;
+}
+
+std::vector<std::int32_t> encode_material_index(const FlatScene& scene)
+{
+    std::vector<std::int32_t> texels;
+    for (const TriangleAttributes& t : scene.attributes) texels.push_back(t.material);
+    return texels;
+}
+
+std::vector<Rgba8> encode_texels(const FlatScene& scene)
+{
+    std::vector<Rgba8> texels;
+    for (const Image<Rgba8>& image : scene.textures)
+        texels.insert(texels.end(), image.pixels.begin(), image.pixels.end());
+    return texels;
+}
+
+int stack_size_for(const KdTree& tree)
+{
+    const int deepest = std::ranges::max(node_depths(tree));
+    for (const int size : {8, 16, 24, 32, 48})
+        if (deepest <= size) return size;
+    return max_tree_depth;
+}
+
+gl_blocks::SceneBlock encode_block(const FlatScene& scene, const KdTree& tree)
+{
+    const int lights_at = 3 * int(scene.materials.size());
+    const int textures_at = lights_at + 4 * int(scene.lights.size());
+    return {
+        .bounds_lower = Vec4(tree.bounds.lower, 0.0f),
+        .bounds_upper = Vec4(tree.bounds.upper, 0.0f),
+        .ambient = Vec4(scene.ambient, 0.0f),
+        .background = Vec4(scene.background, 1.0f),
+        .counts = {int(scene.triangles.size()), int(scene.lights.size()), lights_at, textures_at},
+        .limits = {gl_step_budget, loop_check_rounds, 0, 0},
+    };
+}
+
+} // namespace
+
+SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree)
+    : gl_(gl), limits_(limits), scene_(scene), tree_(tree), sizes_(upload_sizes(scene, tree)),
+      stack_size_((check_upload(sizes_, limits), stack_size_for(tree))), block_(gl),
+      nodes_(gl, GL_RGBA32F, encode_float4(tree), "nodes"), references_(gl, GL_R32I, tree.references, "leaf lists"),
+      corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
+      material_index_(gl, GL_R32I, encode_material_index(scene), "material numbers"),
+      tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights")
+{
+    block_.set(gl, encode_block(scene, tree));
+}
+
+void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs)
+{
+    check_config(sizes_, config, limits_);
+    if (info(config.traversal).needs_boxes && !boxes_)
+        boxes_ = BufferTexture(gl_, GL_RGBA32F, encode_boxes(node_boxes(tree_)), "node boxes");
+    if (config.leaf_lists == LeafLists::duplicated && !leaf_corners_)
+        leaf_corners_ = BufferTexture(gl_, GL_RGBA32F,
+                                      encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)), "leaf triangles");
+    if (needs.normals && !normals_) normals_ = BufferTexture(gl_, GL_RGBA32F, encode_normals(scene_), "normals");
+    if (needs.textures && !texels_) {
+        texture_coordinates_ =
+            BufferTexture(gl_, GL_RG32F, encode_texture_coordinates(scene_), "texture coordinates");
+        texels_ = BufferTexture(gl_, GL_RGBA8UI, encode_texels(scene_), "images");
+    }
+}
+
+void SceneUpload::bind() const
+{
+    block_.bind(gl_, scene_block);
+    nodes_.bind(gl_, Unit::nodes);
+    boxes_.bind(gl_, Unit::boxes);
+    references_.bind(gl_, Unit::references);
+    leaf_corners_.bind(gl_, Unit::leaf_corners);
+    corners_.bind(gl_, Unit::corners);
+    material_index_.bind(gl_, Unit::material_index);
+    normals_.bind(gl_, Unit::normals);
+    texture_coordinates_.bind(gl_, Unit::texture_coordinates);
+    tables_.bind(gl_, Unit::tables);
+    texels_.bind(gl_, Unit::texels);
+}
+
+void SceneUpload::add_to(GlMemory& memory) const
+{
+    memory.nodes += nodes_.bytes();
+    memory.boxes += boxes_.bytes();
+    memory.references += references_.bytes();
+    memory.triangles += corners_.bytes() + leaf_corners_.bytes();
+    memory.attributes += material_index_.bytes() + normals_.bytes() + texture_coordinates_.bytes() + tables_.bytes();
+    memory.textures += texels_.bytes();
+}
+
+} // namespace kd

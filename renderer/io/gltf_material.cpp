@@ -1,0 +1,155 @@
+#include "renderer/io/gltf_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/io/gltf_image.h"
+#include "renderer/io/gltf_value.h"
+#include "renderer/io/printable.h"
+
+namespace kd {
+
+namespace {
+
+constexpr const char* glossiness_extension = "KHR_materials_pbrSpecularGlossiness";
+constexpr const char* transform_extension = "KHR_texture_transform";
+
+bool names_one_of(int index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
+
+} // namespace
+
+Vec2 UvTransform::apply(Vec2 uv) const {
+    const double c = std::cos(rotation);
+    const double s = std::sin(rotation);
+    const glm::dvec2 scaled = scale * glm::dvec2(uv);
+    return Vec2(offset + glm::dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x));
+}
+
+GltfMaterials::GltfMaterials(GltfContext& context, const tinygltf::Model& model, Scene& scene)
+    : context_(context), model_(model), scene_(scene), pixels_left_(largest_image_total) {}
+
+const MaterialUse& GltfMaterials::use(int index) {
+    if (index != -1 && !names_one_of(index, model_.materials.size())) {
+        context_.count("replaced", "material", " that the file does not have by the default");
+        index = -1;
+    }
+    const auto known = uses_.find(index);
+    return known != uses_.end() ? known->second : uses_.emplace(index, add(index)).first->second;
+}
+
+MaterialUse GltfMaterials::add(int index) {
+    static const tinygltf::Material default_material;
+    const tinygltf::Material& material =
+        index < 0 ? default_material : model_.materials[static_cast<std::size_t>(index)];
+    TextureUse texture;
+    const tinygltf::Value* glossy = find_extension(material.extensions, glossiness_extension);
+    const PbrSurface surface =
+        glossy ? glossy_surface(*glossy, texture) : metallic_surface(material.pbrMetallicRoughness, texture);
+    note_omissions(material);
+
+    scene_.materials.push_back(to_material(surface, texture.texture));
+    scene_.material_names.push_back(index < 0 ? "default" : printable(material.name));
+    return {static_cast<int>(scene_.materials.size()) - 1, texture.texture < 0 ? -1 : texture.uv_set, texture.uv};
+}
+
+PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture) {
+    const glm::dvec3 base = in_range(pbr.baseColorFactor);
+    double metallic = in_range(pbr.metallicFactor);
+    double roughness = in_range(pbr.roughnessFactor);
+
+    // Materials here have one roughness each, so a texture's mean stands for it: green is roughness, blue is metal.
+    if (const int image = image_of_texture(pbr.metallicRoughnessTexture.index); image >= 0) {
+        const Vec3 mean =
+            mean_colour(decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
+        roughness *= double(mean.y);
+        metallic *= double(mean.z);
+        context_.count("replaced", "metallic-roughness texture", " by its mean");
+    }
+
+    texture = scene_texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
+                            find_extension(pbr.baseColorTexture.extensions, transform_extension));
+    glm::dvec3 tint(1.0);
+    if (texture.texture >= 0 && metallic > 0.0) {
+        tint = srgb_decoded(glm::dvec3(mean_colour(scene_.textures[static_cast<std::size_t>(texture.texture)])));
+    }
+    PbrSurface surface = metallic_roughness(base * tint, metallic, roughness);
+    surface.base = base; // the texture itself tints what is scattered
+    return surface;
+}
+
+PbrSurface GltfMaterials::glossy_surface(const tinygltf::Value& extension, TextureUse& texture) {
+    const std::vector<double> diffuse = numbers_or(extension, "diffuseFactor", {1.0, 1.0, 1.0, 1.0});
+    const std::vector<double> specular = numbers_or(extension, "specularFactor", {1.0, 1.0, 1.0});
+    if (const tinygltf::Value* info = find_object(extension, "diffuseTexture")) {
+        const tinygltf::Value* extensions = find_object(*info, "extensions");
+        texture = scene_texture(find_index(*info, "index").value_or(-1), find_index(*info, "texCoord").value_or(0),
+                                extensions ? find_object(*extensions, transform_extension) : nullptr);
+    }
+    if (find_object(extension, "specularGlossinessTexture")) {
+        context_.count("ignored", "specular-glossiness texture");
+    }
+    return specular_glossiness(in_range(diffuse), in_range(specular),
+                               in_range(number_or(extension, "glossinessFactor", 1.0)));
+}
+
+void GltfMaterials::note_omissions(const tinygltf::Material& material) {
+    const auto& emission = material.emissiveFactor;
+    if (std::ranges::any_of(emission, [](double e) { return e != 0.0; })) {
+        context_.count("ignored the light that", "material", " give off");
+    }
+    if (material.normalTexture.index >= 0) context_.count("ignored", "normal map");
+    if (material.alphaMode != "OPAQUE") context_.count("shown", "material", " as opaque that are not");
+}
+
+/// The image behind a texture of the file; -1 where there is none, noted where there should be.
+int GltfMaterials::image_of_texture(int texture) {
+    if (texture < 0) return -1;
+    if (names_one_of(texture, model_.textures.size())) {
+        const int image = model_.textures[static_cast<std::size_t>(texture)].source;
+        if (names_one_of(image, model_.images.size())) return image;
+    }
+    context_.count("ignored", "texture", " without an image that can be shown");
+    return -1;
+}
+
+GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, const tinygltf::Value* transform) {
+    const int image = image_of_texture(texture);
+    if (image < 0) return {};
+    TextureUse use{.texture = -1, .uv_set = uv_set, .uv = {}};
+    const auto known = texture_of_image_.find(image);
+    if (known != texture_of_image_.end()) {
+        use.texture = known->second;
+    } else {
+        scene_.textures.push_back(
+            decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
+        use.texture = static_cast<int>(scene_.textures.size()) - 1;
+        texture_of_image_[image] = use.texture;
+    }
+
+    const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
+    if (names_one_of(sampler, model_.samplers.size())) {
+        const tinygltf::Sampler& wrap = model_.samplers[static_cast<std::size_t>(sampler)];
+        if (wrap.wrapS != TINYGLTF_TEXTURE_WRAP_REPEAT || wrap.wrapT != TINYGLTF_TEXTURE_WRAP_REPEAT) {
+            context_.count("repeated", "texture", " that should be clamped or mirrored beyond its edges");
+        }
+    }
+    if (transform != nullptr) {
+        const std::vector<double> offset = numbers_or(*transform, "offset", {0.0, 0.0});
+        const std::vector<double> scale = numbers_or(*transform, "scale", {1.0, 1.0});
+        use.uv = {{offset[0], offset[1]}, {scale[0], scale[1]}, number_or(*transform, "rotation", 0.0)};
+        use.uv_set = find_index(*transform, "texCoord").value_or(uv_set);
+    }
+    return use;
+}
+
+double GltfMaterials::in_range(double factor) {
+    const double clamped = std::clamp(factor, 0.0, 1.0);
+    if (clamped != factor) context_.note("limited material factors outside of 0..1");
+    return clamped;
+}
+
+glm::dvec3 GltfMaterials::in_range(const std::vector<double>& factors) {
+    return {in_range(factors.at(0)), in_range(factors.at(1)), in_range(factors.at(2))};
+}
+
+} // namespace kd

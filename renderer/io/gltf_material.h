@@ -1,0 +1,61 @@
+// glTF materials and their textures.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <tiny_gltf.h>
+
+#include "renderer/io/gltf_context.h"
+#include "renderer/io/gltf_surface.h"
+#include "renderer/scene/scene.h"
+
+namespace kd {
+
+/// KHR_texture_transform: scale, then rotate counter-clockwise as seen with v pointing down, then move.
+struct UvTransform {
+    glm::dvec2 offset{0.0};
+    glm::dvec2 scale{1.0};
+    double rotation = 0.0; // radians
+
+    [[nodiscard]] Vec2 apply(Vec2 uv) const;
+};
+
+/// A material of the scene, and which texture coordinates its primitives must bring.
+struct MaterialUse {
+    int material = 0;
+    int uv_set = -1; // n of TEXCOORD_n; -1 where it has no texture
+    UvTransform uv;
+};
+
+/// Converts materials, and decodes their textures, when they are first asked for.
+class GltfMaterials {
+  public:
+    GltfMaterials(GltfContext& context, const tinygltf::Model& model, Scene& scene);
+
+    /// The scene's material for glTF material `index`; glTF's default material for -1 or an index that names none (noted).
+    const MaterialUse& use(int index);
+
+  private:
+    struct TextureUse {
+        int texture = -1; // of the scene
+        int uv_set = 0;
+        UvTransform uv;
+    };
+    MaterialUse add(int index);
+    PbrSurface metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture);
+    PbrSurface glossy_surface(const tinygltf::Value& extension, TextureUse& texture);
+    void note_omissions(const tinygltf::Material& material);
+    int image_of_texture(int texture);
+    TextureUse scene_texture(int texture, int uv_set, const tinygltf::Value* transform);
+    double in_range(double factor);
+    glm::dvec3 in_range(const std::vector<double>& factors);
+
+    GltfContext& context_;
+    const tinygltf::Model& model_;
+    Scene& scene_;
+    std::map<int, MaterialUse> uses_;
+    std::map<int, int> texture_of_image_;
+    std::uint64_t pixels_left_;
+};
+
+} // namespace kd

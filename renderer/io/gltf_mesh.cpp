@@ -1,0 +1,178 @@
+#include "renderer/io/gltf_mesh.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "renderer/io/gltf_accessor.h"
+#include "renderer/io/printable.h"
+
+namespace kd {
+
+namespace {
+
+constexpr const char* position_name = "POSITION";
+
+bool is_triangles(const tinygltf::Primitive& primitive) {
+    return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+/// The accessor of an attribute, -1 where the primitive has none.
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+    const auto found = primitive.attributes.find(name);
+    return found != primitive.attributes.end() ? found->second : -1;
+}
+
+std::uint64_t element_count(const tinygltf::Model& model, int accessor) {
+    return accessor < 0 ? 0 : model.accessors[static_cast<std::size_t>(accessor)].count;
+}
+
+/// What the mode makes of so many vertices or indices.
+std::uint64_t triangle_count(int mode, std::uint64_t count) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) return count / 3;
+    return count < 3 ? 0 : count - 2;
+}
+
+/// Corner numbers of triangle `i` among the vertices of a primitive, all wound alike (glTF 2.0, section 3.7.2.1).
+std::array<std::size_t, 3> corners(int mode, std::size_t i) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) return {3 * i, 3 * i + 1, 3 * i + 2};
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
+    return {i, i + 1 + i % 2, i + 2 - i % 2};
+}
+
+/// The elements of an accessor as vectors of so many components.
+template <class Vector>
+std::vector<Vector> read_vectors(const GltfContext& context, const tinygltf::Model& model, int accessor) {
+    static_assert(sizeof(Vector) == Vector::length() * sizeof(float));
+    const std::vector<float> values = read_floats(context, model, accessor);
+    std::vector<Vector> vectors(values.size() / Vector::length());
+    if (!vectors.empty()) std::memcpy(vectors.data(), values.data(), vectors.size() * sizeof(Vector));
+    return vectors;
+}
+
+/// An attribute that goes with the positions; empty, and counted, where its type or length does not fit.
+template <class Vector>
+std::vector<Vector> read_companion(GltfContext& context, const tinygltf::Model& model, int accessor,
+                                   std::size_t vertices, const char* noun) {
+    if (accessor < 0) return {};
+    const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
+    if (a.count != vertices || component_count(a) != Vector::length() || a.type == TINYGLTF_TYPE_MAT2) {
+        context.count("ignored the " + std::string(noun) + " of", "primitive", ", which do not fit its positions");
+        return {};
+    }
+    return read_vectors<Vector>(context, model, accessor);
+}
+
+std::vector<Vec3> read_positions(const GltfContext& context, const tinygltf::Model& model, int accessor) {
+    const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
+    if (a.type != TINYGLTF_TYPE_VEC3 || a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+        context.fail(pointer_to("/accessors", static_cast<std::size_t>(accessor)), "positions must be VEC3 of float");
+    }
+    return read_vectors<Vec3>(context, model, accessor);
+}
+
+/// Three vertex numbers per triangle; triangles with an index that names no vertex are left out.
+std::vector<std::uint32_t> triangle_indices(GltfContext& context, const tinygltf::Model& model,
+                                            const tinygltf::Primitive& primitive, std::size_t vertices) {
+    const bool indexed = primitive.indices >= 0;
+    const std::vector<std::uint32_t> given =
+        indexed ? read_indices(context, model, primitive.indices) : std::vector<std::uint32_t>();
+    const std::size_t count = indexed ? given.size() : vertices;
+    if (primitive.mode == TINYGLTF_MODE_TRIANGLES && count % 3 != 0) {
+        context.count("ignored the last vertices of", "primitive", ", which make no whole triangle");
+    }
+    std::vector<std::uint32_t> indices;
+    const std::uint64_t triangles = triangle_count(primitive.mode, count);
+    indices.reserve(triangles * 3);
+    for (std::size_t i = 0; i < triangles; ++i) {
+        std::array<std::uint32_t, 3> triangle{};
+        std::ranges::transform(corners(primitive.mode, i), triangle.begin(), [&](std::size_t corner) {
+            return indexed ? given[corner] : static_cast<std::uint32_t>(corner);
+        });
+        if (std::ranges::any_of(triangle, [&](std::uint32_t vertex) { return vertex >= vertices; })) {
+            context.count("dropped", "triangle", " with an index that names no vertex");
+        } else {
+            indices.insert(indices.end(), triangle.begin(), triangle.end());
+        }
+    }
+    return indices;
+}
+
+void note_omissions(GltfContext& context, const tinygltf::Primitive& primitive) {
+    if (attribute(primitive, "COLOR_0") >= 0) context.count("ignored the vertex colours of", "primitive");
+    if (!primitive.targets.empty() || attribute(primitive, "JOINTS_0") >= 0) {
+        context.note("shown skins, morph targets and animations in their static pose");
+    }
+}
+
+Mesh convert(GltfContext& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+             const MaterialUse& material) {
+    Mesh mesh;
+    mesh.material = material.material;
+    mesh.positions = read_positions(context, model, attribute(primitive, position_name));
+    const std::size_t vertices = mesh.positions.size();
+    mesh.indices = triangle_indices(context, model, primitive, vertices);
+    mesh.normals = read_companion<Vec3>(context, model, attribute(primitive, "NORMAL"), vertices, "normals");
+    if (material.uv_set >= 0) {
+        const int accessor = attribute(primitive, "TEXCOORD_" + std::to_string(material.uv_set));
+        mesh.texture_coordinates =
+            read_companion<Vec2>(context, model, accessor, vertices, "texture coordinates");
+        for (Vec2& uv : mesh.texture_coordinates) uv = material.uv.apply(uv);
+        if (accessor < 0) context.count("found no texture coordinates in", "primitive", " with a texture");
+    }
+    note_omissions(context, primitive);
+    return mesh;
+}
+
+} // namespace
+
+void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
+                      const std::vector<std::uint64_t>& uses) {
+    std::uint64_t triangles = 0;
+    std::uint64_t vertices = 0;
+    for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+        if (uses[i] == 0) continue;
+        for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
+            const std::uint64_t positions = element_count(model, attribute(primitive, position_name));
+            if (!is_triangles(primitive) || positions == 0) continue;
+            const std::uint64_t count = primitive.indices >= 0 ? element_count(model, primitive.indices) : positions;
+            // Both factors and both sums stay far below 2^64: what is too large ends the loop at once.
+            const std::uint64_t each = std::min(triangle_count(primitive.mode, count), largest_triangle_count + 1);
+            triangles += each * std::min(uses[i], largest_triangle_count + 1);
+            vertices += std::min(positions, largest_vertex_count + 1);
+            if (triangles > largest_triangle_count) {
+                context.fail("", "at least " + std::to_string(triangles) +
+                                     " triangles with all instances; the limit is " +
+                                     std::to_string(largest_triangle_count));
+            }
+            if (vertices > largest_vertex_count) {
+                context.fail("", "more than " + std::to_string(largest_vertex_count) + " vertices; use a smaller scene");
+            }
+        }
+    }
+}
+
+std::vector<int> add_gltf_mesh(GltfContext& context, const tinygltf::Model& model, std::size_t index,
+                               GltfMaterials& materials, Scene& scene) {
+    const tinygltf::Mesh& mesh = model.meshes[index];
+    std::vector<int> added;
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const tinygltf::Primitive& primitive = mesh.primitives[i];
+        if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+            context.fail(pointer_to(pointer_to("/meshes", index) + "/primitives", i) + "/mode",
+                         std::to_string(primitive.mode) + " is no primitive mode (0 to 6)");
+        }
+        if (!is_triangles(primitive)) {
+            context.count("skipped", "primitive", " of points or lines");
+        } else if (attribute(primitive, position_name) < 0) {
+            context.count("skipped", "primitive", " without positions");
+        } else {
+            scene.meshes.push_back(convert(context, model, primitive, materials.use(primitive.material)));
+            scene.meshes.back().name = printable(mesh.name);
+            added.push_back(static_cast<int>(scene.meshes.size()) - 1);
+        }
+    }
+    return added;
+}
+
+} // namespace kd

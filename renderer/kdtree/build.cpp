@@ -1,0 +1,96 @@
+#include "renderer/kdtree/build.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/kdtree/builders.h"
+#include "renderer/kdtree/sweep_events.h"
+
+namespace kd {
+
+namespace {
+
+// To add a builder: write its file, declare it in builders.h, add its line here.
+constexpr std::array table{
+    Builder{"paper", "SAH as in the paper",
+            "Surface area heuristic over the ends of triangle projections, longest axis first.", build_paper},
+    Builder{"spatial-median", "Spatial median", "Halves every cell across its longest axis.", build_spatial_median},
+};
+
+void check_range(std::string_view name, double value, double least, double most) {
+    if (value >= least && value <= most) return; // false for NaN
+    throw InputError(fmt::format("builder constant {} is {}: use a number from {} to {}", name, value, least, most));
+}
+
+void check_config(const BuildConfig& config) {
+    check_range("traversal_cost", double(config.traversal_cost), 0, 1e6);
+    check_range("intersection_cost", double(config.intersection_cost), 0, 1e6);
+    check_range("empty_bonus", double(config.empty_bonus), 0, 1);
+    check_range("empty_bonus_gate", double(config.empty_bonus_gate), 0, 1);
+    check_range("leaf_size", config.leaf_size, 0, 1e6);
+    check_range("max_depth", config.max_depth, 0, max_tree_depth);
+    check_range("bad_refines", config.bad_refines, 0, max_tree_depth);
+    check_range("reference_cap", double(config.reference_cap), 1, 1e6);
+}
+
+bool is_finite(const Triangle& triangle) {
+    for (const Vec3& point : triangle.corner) {
+        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return false;
+    }
+    return true;
+}
+
+void check_triangles(std::span<const Triangle> triangles) {
+    if (triangles.size() > sweep_triangle_limit) {
+        throw InputError(fmt::format("scene has {} triangles: a tree takes at most {}, split the scene",
+                                     triangles.size(), sweep_triangle_limit));
+    }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (is_finite(triangles[i])) continue;
+        throw InputError(fmt::format("triangle {} has a corner that is not finite: remove it before building", i));
+    }
+}
+
+const Builder& named_builder(std::string_view name) {
+    if (const Builder* builder = find_builder(name)) return *builder;
+    std::string known;
+    for (const Builder& builder : builders()) known += fmt::format("{}{}", known.empty() ? "" : ", ", builder.name);
+    throw InputError(fmt::format("builder '{}' is unknown: use one of {}", name, known));
+}
+
+} // namespace
+
+std::span<const Builder> builders() { return table; }
+
+const Builder* find_builder(std::string_view name) {
+    for (const Builder& builder : table) {
+        if (builder.name == name) return &builder;
+    }
+    return nullptr;
+}
+
+int depth_limit(const BuildConfig& config, std::size_t n) {
+    if (config.max_depth > 0) return std::min(config.max_depth, max_tree_depth);
+    const double depth = 8.0 + 1.6 * std::log2(double(std::max<std::size_t>(n, 1)));
+    return std::min(int(std::lround(depth)), max_tree_depth);
+}
+
+KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report,
+                  const BuildProgress& progress, std::stop_token stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Builder& builder = named_builder(config.builder);
+    check_config(config);
+    check_triangles(triangles);
+
+    BuildReport own_report;
+    BuildReport& told = report ? *report : own_report;
+    told = BuildReport{};
+    KdTree tree = builder.build({triangles, config, told, progress, std::move(stop)});
+    told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return tree;
+}
+
+} // namespace kd

@@ -1,0 +1,56 @@
+#include "renderer/kdtree/cell_lists.h"
+
+#include <numeric>
+
+namespace kd {
+
+namespace {
+
+unsigned sides_of(AxisRange range, float position, unsigned planar_side) {
+    const unsigned sides =
+        (range.lower < position ? side_below : 0u) | (range.upper > position ? side_above : 0u);
+    return sides != 0 ? sides : planar_side;
+}
+
+std::vector<std::int32_t> all_numbers(std::size_t count) {
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+} // namespace
+
+TriangleRanges::TriangleRanges(std::span<const Triangle> triangles) {
+    for (auto& ranges : axis) ranges.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+        const Aabb box = bounds_of(triangle);
+        bounds.include(box.lower);
+        bounds.include(box.upper);
+        for (int a = 0; a < 3; ++a) axis[std::size_t(a)].push_back({box.lower[a], box.upper[a]});
+    }
+}
+
+CellLists::CellLists(const TriangleRanges& ranges)
+    : ranges_(ranges), lists_(all_numbers(ranges.axis[0].size())), sides_(ranges.axis[0].size()) {}
+
+Split CellLists::count(int axis, float position) const {
+    Split split{.axis = axis, .position = position};
+    for (std::int32_t number : top()) {
+        const unsigned sides = sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], position, side_below);
+        split.below += int(sides & side_below);
+        split.above += int(sides >> 1);
+    }
+    return split;
+}
+
+void CellLists::divide(const Split& split) {
+    const std::vector<AxisRange>& ranges = ranges_.axis[std::size_t(split.axis)];
+    const unsigned planar_side = split.planar_below ? side_below : side_above;
+    lists_.divide([&](std::int32_t number) {
+        const unsigned sides = sides_of(ranges[std::size_t(number)], split.position, planar_side);
+        sides_[std::size_t(number)] = std::uint8_t(sides);
+        return sides;
+    });
+}
+
+} // namespace kd

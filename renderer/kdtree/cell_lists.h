@@ -1,0 +1,52 @@
+// Which triangles touch which unfinished cell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/geometry/triangle.h"
+#include "renderer/kdtree/list_stack.h"
+#include "renderer/kdtree/split.h"
+
+namespace kd {
+
+/// A triangle's projection on one axis.
+struct AxisRange {
+    float lower;
+    float upper;
+};
+
+/// The projections of all triangles, axis by axis.
+struct TriangleRanges {
+    explicit TriangleRanges(std::span<const Triangle> triangles);
+
+    std::array<std::vector<AxisRange>, 3> axis;
+    Aabb bounds;
+};
+
+/// The triangle lists of the unfinished cells; numbers ascend in every list.
+class CellLists {
+  public:
+    explicit CellLists(const TriangleRanges& ranges);
+
+    [[nodiscard]] std::span<const std::int32_t> top() const { return lists_.top(); }
+
+    /// Counts for a split of the top cell at a given plane; triangles lying in it are counted below.
+    [[nodiscard]] Split count(int axis, float position) const;
+
+    /// A triangle goes to the sides its box reaches into: one that only touches the plane stays on its side, one that lies
+    /// in it goes where the split says.
+    void divide(const Split& split);
+
+    void drop() { lists_.drop(); }
+
+    /// Side bits from the last divide(), by triangle number; only those of the divided cell mean something.
+    [[nodiscard]] const std::vector<std::uint8_t>& sides() const { return sides_; }
+
+  private:
+    const TriangleRanges& ranges_;
+    ListStack<std::int32_t> lists_;
+    std::vector<std::uint8_t> sides_;
+};
+
+} // namespace kd

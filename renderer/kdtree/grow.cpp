@@ -1,0 +1,142 @@
+#include "renderer/kdtree/grow.h"
+
+namespace kd {
+
+namespace {
+
+/// A cell that waits to become a node.
+struct Pending {
+    Aabb cell;
+    int parent = -1;
+    bool is_above = false;
+    int depth = 0;
+    int bad_refines = 0;
+    std::int64_t allowance = 0; // references that its leaves may hold together
+    double work = 1.0;          // its share of the whole build
+};
+
+class Grower {
+  public:
+    Grower(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter)
+        : task_(task), splitter_(splitter), lists_(ranges), depth_limit_(depth_limit(task.config, task.triangles.size())) {
+        tree_.nodes.clear();
+        tree_.bounds = ranges.bounds;
+        const double allowance = double(task.config.reference_cap) * double(task.triangles.size());
+        const double most = std::numeric_limits<std::int32_t>::max();
+        pending_.push_back({.cell = ranges.bounds, .allowance = std::int64_t(std::min(allowance, most))});
+    }
+
+    KdTree run() {
+        while (!pending_.empty()) {
+            const Pending at = pending_.back();
+            pending_.pop_back();
+            const int node = add_node(at);
+            if (const std::optional<Split> split = choose(at)) {
+                make_interior(node, at, *split);
+            } else {
+                make_leaf(node, at);
+                advance(at.work);
+            }
+        }
+        return std::move(tree_);
+    }
+
+  private:
+    int add_node(const Pending& at) {
+        const int node = int(tree_.nodes.size());
+        tree_.nodes.emplace_back().parent = at.parent;
+        if (at.is_above) tree_.nodes[std::size_t(at.parent)].link = node;
+        return node;
+    }
+
+    /// The splitter's choice, or nothing where a limit says leaf.
+    std::optional<Split> choose(const Pending& at) {
+        const std::size_t count = lists_.top().size();
+        if (count <= std::size_t(task_.config.leaf_size) || task_.stop.stop_requested()) return std::nullopt;
+        // A cell without a surface is met with probability 0, and has no axis to split.
+        if (!(at.cell.surface_area() > 0.0)) return std::nullopt;
+        if (at.depth >= depth_limit_) {
+            task_.report.depth_limit_hit = true;
+            return std::nullopt;
+        }
+        const std::optional<Split> split = splitter_.choose(at.cell, lists_);
+        if (!split || at.bad_refines + split->bad > task_.config.bad_refines) return std::nullopt;
+        if (std::int64_t(split->below) + split->above > at.allowance) {
+            task_.report.reference_cap_hit = true;
+            return std::nullopt;
+        }
+        return split;
+    }
+
+    void make_interior(int node, const Pending& at, const Split& split) {
+        lists_.divide(split);
+        splitter_.divided(split, lists_);
+        tree_.nodes[std::size_t(node)].flag = split.axis;
+        tree_.nodes[std::size_t(node)].split = split.position;
+
+        Pending child = at;
+        child.parent = node;
+        child.depth = at.depth + 1;
+        child.bad_refines = at.bad_refines + split.bad;
+
+        const std::int64_t references = std::int64_t(split.below) + split.above;
+        child.is_above = true;
+        child.cell.lower[split.axis] = split.position;
+        child.allowance = at.allowance * split.above / references;
+        child.work = at.work * split.above / double(references);
+        pending_.push_back(child);
+
+        // Last in, first out: the child below becomes the next node.
+        child.is_above = false;
+        child.cell = at.cell;
+        child.cell.upper[split.axis] = split.position;
+        child.allowance = at.allowance * split.below / references;
+        child.work = at.work * split.below / double(references);
+        pending_.push_back(child);
+    }
+
+    void make_leaf(int node, const Pending& at) {
+        const auto triangles = lists_.top();
+        TreeNode& leaf = tree_.nodes[std::size_t(node)];
+        leaf.count = std::int32_t(triangles.size());
+        leaf.link = std::int32_t(tree_.references.size());
+        tree_.references.insert(tree_.references.end(), triangles.begin(), triangles.end());
+        // What this leaf leaves over, the next cell may use.
+        if (!pending_.empty()) pending_.back().allowance += at.allowance - leaf.count;
+        lists_.drop();
+        splitter_.dropped();
+    }
+
+    void advance(double work) {
+        done_ += work;
+        if (!task_.progress || done_ < next_told_) return;
+        task_.progress(float(std::min(done_, 1.0)));
+        next_told_ = done_ + 0.01;
+    }
+
+    const BuildTask& task_;
+    Splitter& splitter_;
+    CellLists lists_;
+    int depth_limit_;
+    KdTree tree_;
+    std::vector<Pending> pending_;
+    double done_ = 0.0;
+    double next_told_ = 0.01;
+};
+
+} // namespace
+
+KdTree grow_tree(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter) {
+    return Grower(task, ranges, splitter).run();
+}
+
+int longest_axis(const Aabb& box) {
+    const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+        if (extent[a] > extent[axis]) axis = a;
+    }
+    return axis;
+}
+
+} // namespace kd

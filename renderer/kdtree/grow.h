@@ -1,0 +1,34 @@
+// Growing a tree from the root down: what all builders share. A builder only says where a cell is split.
+#pragma once
+
+#include <optional>
+
+#include "renderer/kdtree/build.h"
+#include "renderer/kdtree/cell_lists.h"
+
+namespace kd {
+
+/// The decision that makes a builder. Cells come in depth-first order, so a splitter may keep data of its own for the
+/// unfinished ones as a stack.
+class Splitter {
+  public:
+    virtual ~Splitter() = default;
+
+    /// Where to split the top cell, strictly inside it; nothing makes a leaf. The cell has a surface and more than
+    /// BuildConfig::leaf_size triangles.
+    [[nodiscard]] virtual std::optional<Split> choose(const Aabb& cell, const CellLists& lists) = 0;
+
+    /// The top cell was split; the cell below is on top now.
+    virtual void divided(const Split& split, const CellLists& lists) { (void)split, (void)lists; }
+
+    /// The top cell became a leaf.
+    virtual void dropped() {}
+};
+
+/// Splits as `splitter` says within the limits of the task's configuration. Uses a work list, never recursion.
+[[nodiscard]] KdTree grow_tree(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter);
+
+/// Axis along which the box is longest; the first of equals.
+[[nodiscard]] int longest_axis(const Aabb& box);
+
+} // namespace kd

@@ -1,0 +1,49 @@
+// The surface area heuristic (MacDonald & Booth 1990) in the form of the paper's section 2.3.1.
+#pragma once
+
+#include <optional>
+
+#include "renderer/kdtree/build.h"
+#include "renderer/kdtree/sweep_events.h"
+
+namespace kd {
+
+/// t_i * N.
+[[nodiscard]] inline double leaf_cost(const BuildConfig& config, int triangles) {
+    return double(config.intersection_cost) * triangles;
+}
+
+/// Costs of the splits of one cell across one axis. The cell must have a surface.
+class SplitCost {
+  public:
+    SplitCost(const BuildConfig& config, const Aabb& cell, int axis);
+
+    /// t_t + (1 - b_e) * t_i * (p_A * N_A + p_B * N_B), where p is the share of the cell's surface area. The bonus b_e is
+    /// given where one side is empty and wide enough (BuildConfig::empty_bonus_gate).
+    [[nodiscard]] double operator()(float position, int below, int above) const {
+        const double width_below = double(position) - lower_;
+        const double width_above = upper_ - double(position);
+        const bool bonus = (below == 0 && width_below >= gate_) || (above == 0 && width_above >= gate_);
+        const double tests = (cap_ + rim_ * width_below) * below + (cap_ + rim_ * width_above) * above;
+        return traversal_ + (bonus ? intersection_empty_ : intersection_) * tests;
+    }
+
+  private:
+    double lower_, upper_;
+    double cap_;  // share of a child's two faces across the axis in the cell's surface area
+    double rim_;  // share of its other four faces, per unit of width
+    double gate_; // least width of an empty side that earns the bonus
+    double traversal_, intersection_, intersection_empty_;
+};
+
+/// A split with its cost.
+struct PricedSplit : Split {
+    double cost = 0.0;
+};
+
+/// The cheapest split of a cell with `triangles` triangles at an event strictly inside it; the lowest one of equals.
+/// Triangles lying in the plane go where they cost less.
+[[nodiscard]] std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis,
+                                                        int triangles, std::span<const SweepEvent> events);
+
+} // namespace kd

@@ -1,0 +1,66 @@
+#include "renderer/kdtree/stats.h"
+
+#include <algorithm>
+
+namespace kd {
+
+namespace {
+
+constexpr int leaf_size_limit = 32; // the histogram's last entry where larger leaves exist
+
+void count_nodes(TreeStats& stats, const KdTree& tree) {
+    const std::vector<int> depths = node_depths(tree);
+    std::vector<std::int64_t> sizes(leaf_size_limit + 1, 0);
+    std::int64_t depth_sum = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const TreeNode& node = tree.nodes[i];
+        if (!node.is_leaf()) continue;
+        ++stats.leaves;
+        stats.empty_leaves += node.count == 0;
+        stats.deepest = std::max(stats.deepest, depths[i]);
+        stats.largest_leaf = std::max(stats.largest_leaf, node.count);
+        depth_sum += depths[i];
+        ++sizes[std::size_t(std::min(node.count, leaf_size_limit))];
+    }
+    stats.nodes = std::int64_t(tree.nodes.size());
+    stats.interior = stats.nodes - stats.leaves;
+    stats.mean_leaf_depth = double(depth_sum) / double(stats.leaves);
+    sizes.resize(std::size_t(std::min(stats.largest_leaf, leaf_size_limit)) + 1);
+    stats.leaf_sizes = std::move(sizes);
+}
+
+/// A uniform line that meets the root meets a node with probability area(node) / area(root) (Santalo).
+void expect_visits(TreeStats& stats, const KdTree& tree) {
+    const std::vector<Aabb> boxes = node_boxes(tree);
+    const double root_area = tree.bounds.surface_area();
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        // Bounds without a surface have one node, visited by whatever comes.
+        const double probability = root_area > 0.0 ? boxes[i].surface_area() / root_area : 1.0;
+        if (tree.nodes[i].is_leaf()) {
+            stats.expected_leaf_visits += probability;
+            stats.expected_triangle_tests += probability * tree.nodes[i].count;
+        } else {
+            stats.expected_interior_visits += probability;
+        }
+    }
+}
+
+} // namespace
+
+TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const BuildConfig& costs) {
+    TreeStats stats;
+    stats.triangles = std::int64_t(triangle_count);
+    stats.references = std::int64_t(tree.references.size());
+    if (triangle_count > 0) stats.references_per_triangle = double(stats.references) / double(stats.triangles);
+    count_nodes(stats, tree);
+    expect_visits(stats, tree);
+    stats.sah_cost = double(costs.traversal_cost) * stats.expected_interior_visits +
+                     double(costs.intersection_cost) * stats.expected_triangle_tests;
+    stats.node_bytes = stats.nodes * std::int64_t(sizeof(TreeNode));
+    stats.reference_list_bytes = stats.references * std::int64_t(sizeof(std::int32_t)) +
+                                 stats.triangles * std::int64_t(sizeof(Triangle));
+    stats.duplicated_list_bytes = stats.references * std::int64_t(sizeof(Triangle));
+    return stats;
+}
+
+} // namespace kd

@@ -1,0 +1,46 @@
+// Sorted starts and ends of triangle projections: the candidates for a split, and all that a sweep over them must know.
+#pragma once
+
+#include <stop_token>
+
+#include "renderer/kdtree/cell_lists.h"
+
+namespace kd {
+
+/// Start or end of a triangle's projection on an axis, or both at once where the triangle lies across the axis.
+struct SweepEvent {
+    enum Kind : std::uint32_t { end, planar, start };
+
+    float position = 0.0f;
+    std::uint32_t key = 0; // triangle number * 4 + kind
+
+    [[nodiscard]] Kind kind() const { return Kind(key & 3u); }
+    [[nodiscard]] std::uint32_t triangle() const { return key >> 2; }
+};
+
+/// Most triangles that SweepEvent::key can number.
+inline constexpr std::size_t sweep_triangle_limit = std::size_t(1) << 30;
+
+/// The events of the unfinished cells on each axis, by ascending position. They are sorted once, at the root, and keep
+/// their order from there on, so that a build takes O(N log N); after Wald & Havran, "On building fast kd-trees for ray
+/// tracing, and on doing that in O(N log N)", 2006, without their clipping of triangles to cells.
+///
+/// A cell's list leaves out starts at or before its lower face and ends at or after its upper face: a sweep counts those
+/// triangles as standing on that side from the outset.
+class SweepEvents {
+  public:
+    /// Sorts; a stop request leaves the lists of the remaining axes empty.
+    SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop);
+
+    [[nodiscard]] std::span<const SweepEvent> top(int axis) const { return lists_[std::size_t(axis)].top(); }
+
+    /// `sides` as CellLists::divide() left it for the same split.
+    void divide(const Split& split, const std::vector<std::uint8_t>& sides);
+
+    void drop();
+
+  private:
+    std::array<ListStack<SweepEvent>, 3> lists_;
+};
+
+} // namespace kd

@@ -1,0 +1,41 @@
+// Results of the same rays side by side.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/measure/verify.h"
+
+namespace kd {
+
+/// What one tracer answered to a list of rays.
+struct RayAnswers {
+    std::vector<Hit> nearest;
+    std::vector<RayCounters> counters;  // of the nearest-hit walks
+    std::vector<Hit> any;               // of the any-hit walks: only whether something was hit counts
+
+    explicit RayAnswers(std::size_t count) : nearest(count), counters(count), any(count) {}
+};
+
+/// Rays with what brute force answers to them.
+struct ReferenceRays {
+    std::vector<Ray> rays;
+    std::vector<Hit> expected;
+
+    /// Every `step`-th ray.
+    [[nodiscard]] ReferenceRays every(std::size_t step) const;
+};
+
+/// Adds to `row` how `found` differs from the reference, and keeps the first failure's text.
+void compare_hits(const ReferenceRays& reference, const RayAnswers& found, VerifyRow& row);
+
+/// Adds to `row` the rays whose counters differ.
+void compare_counters(const ReferenceRays& reference, const RayAnswers& expected, const RayAnswers& found,
+                      VerifyRow& row);
+
+/// The ray as a line of a ray table (ox,oy,oz,dx,dy,dz,tmin,tmax) in exact hexadecimal floats, and its source triangle.
+[[nodiscard]] std::string exact_text(const Ray& ray);
+[[nodiscard]] std::string exact_text(const Hit& hit);
+
+}  // namespace kd

@@ -1,0 +1,44 @@
+#include "renderer/measure/ray_count.h"
+
+#include <array>
+#include <tbb/parallel_for.h>
+
+#include "renderer/cpu/tile_job.h"
+#include "renderer/trace/observer.h"
+
+namespace kd {
+
+namespace {
+
+#include "renderer/cpu/kernel.h"
+// After kernel.h, whose class it drives.
+#include "renderer/cpu/pixel.h"
+
+/// Every walk ends with one exit.
+struct WalkCounter : NullObserver {
+    RayCounters counters{};
+    void on_exit(int) { ++counters.leaves; }
+};
+
+}  // namespace
+
+RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConfig& config, const PinholeCamera& camera,
+                     int width, int height) {
+    SceneView view;
+    view.scene = &scene;
+    view.tree = &tree;
+    view.needs = scene_needs(scene, config);
+    Frame walks(width, height);
+    tbb::parallel_for(0, height, [&](int y) {
+        WalkCounter counter;
+        Kernel<WalkCounter, Traversal::stack> kernel(view, counter);
+        const TileJob job{view, config, camera, {0, y, width, y + 1}, walks};
+        for (int x = 0; x < width; ++x) trace_pixel<decltype(kernel), WalkCounter>(kernel, job, x, y);
+    });
+    RayCounts counts{};
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        for (const RayCounters& c : walks.layers[pass].counters.pixels) counts[pass] += c.leaves;
+    return counts;
+}
+
+}  // namespace kd

@@ -1,0 +1,23 @@
+// The uniform blocks. C++ includes this file too (renderer/gl/blocks.h); vectors of four only, so that std140 and C++
+// agree on every offset.
+
+/// What an upload fixes. counts = triangles, lights, first texel of the lights and of the textures in kd_tables.
+struct SceneBlock {
+    real4 bounds_lower;
+    real4 bounds_upper;
+    real4 ambient;
+    real4 background;
+    int4 counts;
+    int4 limits; // steps per ray, rounds of the loop check
+};
+
+/// What a draw fixes. image = width, height; rays = any_hit, number of rays, rays per row.
+struct FrameBlock {
+    real4 eye;
+    real4 right;
+    real4 up;
+    real4 forward;
+    int4 image;
+    int4 rays;
+    real4 criteria; // x = least contribution of a reflection
+};

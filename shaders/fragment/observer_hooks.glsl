@@ -1,0 +1,36 @@
+// The observer hooks of shaders/shared/kernel.glsl: RayCounters, summed over the rays of one invocation.
+
+RayCounters counters = RayCounters(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+#if KD_COUNTERS
+void on_interior(int node, bool again)
+{
+    counters.interior_first += again ? 0u : 1u;
+    counters.interior_again += again ? 1u : 0u;
+}
+void on_leaf(int node) { ++counters.leaves; }
+void on_triangle(int slot) { ++counters.triangle_tests; }
+void on_push(int depth) { counters.stack_depth = max(counters.stack_depth, uint(depth)); }
+void on_restart() { ++counters.restarts; }
+void on_backtrack() { ++counters.backtracks; }
+void on_exit(int reason) { counters.exit_reason = max(counters.exit_reason, uint(reason)); }
+#else
+void on_interior(int node, bool again) {}
+void on_leaf(int node) {}
+void on_triangle(int slot) {}
+void on_push(int depth) {}
+void on_restart() {}
+void on_backtrack() {}
+void on_exit(int reason) {}
+#endif
+
+/// Tells a step cap where the driver has ended a loop of this invocation on its own. llvmpipe then lets every further
+/// loop run one round only, so a loop of a few known rounds finds out. Called after all tracing.
+void check_loops()
+{
+#if KD_LOOP_LIMIT
+    int rounds = 0;
+    while (rounds < scene.limits.y) ++rounds;
+    if (rounds < scene.limits.y) on_exit(KD_EXIT_STEP_CAP);
+#endif
+}

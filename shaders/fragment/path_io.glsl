@@ -1,0 +1,35 @@
+// The path that a pass continues or shades. The ray's origin is not kept: once its hit is known only its direction counts.
+
+layout(binding = 10) uniform usampler2D kd_path_hit;
+layout(binding = 11) uniform sampler2D kd_path_direction;
+layout(binding = 12) uniform sampler2D kd_path_weight;
+
+/// The primary ray's path, from RTPrim's hit.
+Path primary_path(int2 pixel)
+{
+    Path path;
+    path.ray = camera_ray(frame_camera(), pixel, frame.image.xy);
+    path.hit = unpack_hit(texelFetch(kd_path_hit, pixel, 0));
+    path.weight = real3(1, 1, 1);
+    return path;
+}
+
+/// A path after at least one bounce, from RTRefl. Its weight is zero where that pass had nothing to trace.
+Path reflected_path(int2 pixel)
+{
+    Path path;
+    path.ray.origin = real3(0, 0, 0);
+    path.ray.direction = texelFetch(kd_path_direction, pixel, 0).xyz;
+    path.ray.t_min = 0.0;
+    path.ray.t_max = KD_T_LIMIT;
+    path.ray.source = -1;
+    path.hit = unpack_hit(texelFetch(kd_path_hit, pixel, 0));
+    path.weight = texelFetch(kd_path_weight, pixel, 0).xyz;
+    return path;
+}
+
+/// True where the path has a reflection worth tracing.
+bool goes_on(Path path)
+{
+    return reflection_counts(reflected_weight(path), frame.criteria.x);
+}

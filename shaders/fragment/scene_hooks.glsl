@@ -1,0 +1,129 @@
+// The data and settings hooks of shaders/shared/kernel.glsl, from texture buffers. No SSBO: llvmpipe reads those wrongly
+// in fragment shaders on partly covered blocks of pixels.
+
+KdNode fetch_node(int node)
+{
+    vec4 texel = texelFetch(kd_nodes, node);
+    KdNode n;
+    n.flag = int(texel.x);
+    n.split = texel.y;
+    n.count = n.flag == KD_LEAF ? int(texel.y) : 0;
+    n.link = int(texel.z);
+    n.parent = int(texel.w);
+    return n;
+}
+
+int fetch_reference(int slot)
+{
+    return texelFetch(kd_references, slot).x;
+}
+
+void fetch_node_box(int node, out real3 lower, out real3 upper)
+{
+    lower = texelFetch(kd_boxes, 2 * node).xyz;
+    upper = texelFetch(kd_boxes, 2 * node + 1).xyz;
+}
+
+void fetch_bounds(out real3 lower, out real3 upper)
+{
+    lower = scene.bounds_lower.xyz;
+    upper = scene.bounds_upper.xyz;
+}
+
+/// a[axes]; the axes are one of the three rotations, so that z tells all.
+real3 rotate_axes(real3 a, int3 axes)
+{
+    return axes.z == 2 ? a : axes.z == 0 ? a.yzx : a.zxy;
+}
+
+void fetch_corners(int slot, int triangle, int3 axes, out real3 a, out real3 b, out real3 c)
+{
+#if KD_DUPLICATED
+    if (slot >= 0) {
+        a = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot).xyz, axes);
+        b = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot + 1).xyz, axes);
+        c = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot + 2).xyz, axes);
+        return;
+    }
+#endif
+    a = rotate_axes(texelFetch(kd_corners, 3 * triangle).xyz, axes);
+    b = rotate_axes(texelFetch(kd_corners, 3 * triangle + 1).xyz, axes);
+    c = rotate_axes(texelFetch(kd_corners, 3 * triangle + 2).xyz, axes);
+}
+
+void fetch_normals(int triangle, out real3 a, out real3 b, out real3 c)
+{
+    a = texelFetch(kd_normals, 3 * triangle).xyz;
+    b = texelFetch(kd_normals, 3 * triangle + 1).xyz;
+    c = texelFetch(kd_normals, 3 * triangle + 2).xyz;
+}
+
+real2 fetch_texture_coordinates(int triangle, real u, real v)
+{
+    real2 a = texelFetch(kd_uv, 3 * triangle).xy;
+    real2 b = texelFetch(kd_uv, 3 * triangle + 1).xy;
+    real2 c = texelFetch(kd_uv, 3 * triangle + 2).xy;
+    precise real w = 1.0 - u - v;
+    precise real x = a.x * w + b.x * u + c.x * v;
+    precise real y = a.y * w + b.y * u + c.y * v;
+    return real2(x, y);
+}
+
+int fetch_material_index(int triangle)
+{
+    return texelFetch(kd_material_index, triangle).x;
+}
+
+Material fetch_material(int index)
+{
+    uvec4 first = texelFetch(kd_tables, 3 * index);
+    uvec4 second = texelFetch(kd_tables, 3 * index + 1);
+    uvec4 third = texelFetch(kd_tables, 3 * index + 2);
+    Material m;
+    m.diffuse = uintBitsToFloat(first.xyz);
+    m.specular = uintBitsToFloat(second.xyz);
+    m.reflectance = uintBitsToFloat(third.xyz);
+    m.shininess = uintBitsToFloat(first.w);
+    m.texture = int(second.w);
+    return m;
+}
+
+Light fetch_light(int index)
+{
+    int at = scene.counts.z + 4 * index;
+    uvec4 first = texelFetch(kd_tables, at);
+    uvec4 second = texelFetch(kd_tables, at + 1);
+    uvec4 third = texelFetch(kd_tables, at + 2);
+    uvec4 fourth = texelFetch(kd_tables, at + 3);
+    Light light;
+    light.kind = int(first.w);
+    light.position = uintBitsToFloat(first.xyz);
+    light.direction = uintBitsToFloat(second.xyz);
+    light.colour = uintBitsToFloat(third.xyz);
+    light.attenuation = uintBitsToFloat(fourth.xy);
+    light.range = uintBitsToFloat(second.w);
+    light.cos_inner = uintBitsToFloat(fourth.z);
+    light.cos_outer = uintBitsToFloat(fourth.w);
+    return light;
+}
+
+int2 fetch_texture_size(int index)
+{
+    return int2(texelFetch(kd_tables, scene.counts.w + index).yz);
+}
+
+/// Integer texels, divided here: exactly what the CPU does.
+real3 fetch_texel(int index, int x, int y)
+{
+    uvec4 image = texelFetch(kd_tables, scene.counts.w + index);
+    return real3(texelFetch(kd_texels, int(image.x) + y * int(image.y) + x).xyz) / 255.0;
+}
+
+int triangle_count() { return scene.counts.x; }
+int light_count() { return scene.counts.y; }
+int step_budget() { return scene.limits.x; }
+bool scene_has_normals() { return KD_NORMALS != 0; }
+bool scene_has_textures() { return KD_TEXTURES != 0; }
+bool shadows_enabled() { return KD_SHADOWS != 0; }
+real3 scene_ambient() { return scene.ambient.xyz; }
+real3 scene_background() { return scene.background.xyz; }

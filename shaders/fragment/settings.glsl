@@ -1,0 +1,55 @@
+// What a program may be specialised by, with the values that stand where the host says nothing.
+
+// 1: count what every ray does.
+#ifndef KD_COUNTERS
+#define KD_COUNTERS 1
+#endif
+
+// 1: leaf lists hold copies of the triangles' corners instead of their numbers alone.
+#ifndef KD_DUPLICATED
+#define KD_DUPLICATED 0
+#endif
+
+// 1: what the scene has.
+#ifndef KD_NORMALS
+#define KD_NORMALS 1
+#endif
+#ifndef KD_TEXTURES
+#define KD_TEXTURES 1
+#endif
+#ifndef KD_SHADOWS
+#define KD_SHADOWS 1
+#endif
+
+// The traversal, and how many pending nodes its stack holds.
+#ifndef KD_TRAVERSE
+#define KD_TRAVERSE traverse_stack
+#endif
+#ifndef KD_STACK_SIZE
+#define KD_STACK_SIZE 64
+#endif
+
+// 0: the ray comes from the camera or is the first reflection; 1: it continues a path that a bounce has left.
+#ifndef KD_LATER_BOUNCE
+#define KD_LATER_BOUNCE 0
+#endif
+
+// Depth of the quad, 0 near to 1 far.
+#ifndef KD_QUAD_DEPTH
+#define KD_QUAD_DEPTH 0.0
+#endif
+
+// 1: RTPrim writes the depths that the paper names (0 hit, 1 miss).
+#ifndef KD_PUBLISHED_DEPTH
+#define KD_PUBLISHED_DEPTH 0
+#endif
+
+// 1: count the pixels that are shaded.
+#ifndef KD_COUNT_SHADED
+#define KD_COUNT_SHADED 0
+#endif
+
+// 1: the driver ends loops after a number of iterations without a word, as llvmpipe does.
+#ifndef KD_LOOP_LIMIT
+#define KD_LOOP_LIMIT 0
+#endif

@@ -1,0 +1,115 @@
+#include "viz/divergence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "viz/percentile.h"
+
+namespace kd {
+namespace {
+
+struct TileWork {
+    Tile area; // cut to the image
+    std::uint64_t sum = 0, max = 0;
+};
+
+/// Calls visit(TileWork) for every tile, row by row.
+template <class Visit>
+void for_each_tile(const RayLayer& layer, int tile_width, int tile_height, Visit visit) {
+    const Image<RayCounters>& counters = layer.counters;
+    for (int y = 0; y < counters.height; y += tile_height) {
+        for (int x = 0; x < counters.width; x += tile_width) {
+            TileWork work{{x, y, std::min(x + tile_width, counters.width), std::min(y + tile_height, counters.height)}};
+            for (int row = work.area.y0; row < work.area.y1; ++row) {
+                for (int column = work.area.x0; column < work.area.x1; ++column) {
+                    const std::uint64_t n = lane_steps(counters.at(column, row));
+                    work.sum += n;
+                    work.max = std::max(work.max, n);
+                }
+            }
+            visit(work);
+        }
+    }
+}
+
+std::uint64_t slots_of(const TileWork& work, int tile_width, int tile_height) {
+    return work.max * std::uint64_t(tile_width) * std::uint64_t(tile_height);
+}
+
+template <class Value>
+void fill_tile(Image<float>& image, const Tile& area, Value value) {
+    for (int y = area.y0; y < area.y1; ++y) {
+        for (int x = area.x0; x < area.x1; ++x) image.at(x, y) = value(x, y);
+    }
+}
+
+} // namespace
+
+Image<float> step_efficiency(const RayLayer& layer, int tile_width, int tile_height) {
+    Image<float> result(layer.counters.width, layer.counters.height, std::numeric_limits<float>::quiet_NaN());
+    for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
+        if (work.max == 0) return;
+        const double efficiency = double(work.sum) / double(slots_of(work, tile_width, tile_height));
+        fill_tile(result, work.area, [&](int, int) { return float(efficiency); });
+    });
+    return result;
+}
+
+Image<float> idle_steps(const RayLayer& layer, int tile_width, int tile_height) {
+    Image<float> result(layer.counters.width, layer.counters.height);
+    for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
+        fill_tile(result, work.area, [&](int x, int y) { return float(work.max - lane_steps(layer.counters.at(x, y))); });
+    });
+    return result;
+}
+
+DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height) {
+    DivergenceSummary summary;
+    std::vector<float> efficiencies;
+    for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
+        if (work.max == 0) return;
+        const std::uint64_t slots = slots_of(work, tile_width, tile_height);
+        summary.steps += work.sum;
+        summary.slots += slots;
+        summary.mean += double(work.sum) / double(slots);
+        efficiencies.push_back(float(double(work.sum) / double(slots)));
+    });
+    if (efficiencies.empty()) return summary;
+    summary.tiles = std::int64_t(efficiencies.size());
+    summary.weighted = double(summary.steps) / double(summary.slots);
+    summary.mean /= double(summary.tiles);
+    summary.median = double(percentile(efficiencies, 0.5));
+    summary.p5 = double(percentile(efficiencies, 0.05));
+    return summary;
+}
+
+namespace tile_maps {
+
+Image<float> divergence(const Frame& frame, const MapConfig& config) {
+    return step_efficiency(frame.layer(config.rays), config.tile_width, config.tile_height);
+}
+
+Image<float> idle(const Frame& frame, const MapConfig& config) {
+    Image<float> result = idle_steps(frame.layer(config.rays), config.tile_width, config.tile_height);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        if (!ray_traced(frame, config.rays, i)) result.pixels[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    return result;
+}
+
+void describe(const Frame& frame, const MapConfig& config, ScalarMap& map) {
+    const DivergenceSummary all = summarise_divergence(frame.layer(config.rays), config.tile_width, config.tile_height);
+    map.facts.push_back({"tile", fmt::format("{}×{} = {} lanes", config.tile_width, config.tile_height,
+                                             config.tile_width * config.tile_height)});
+    if (all.tiles == 0) return;
+    map.facts.push_back({"whole image", fmt::format("{:.3f}", all.weighted)});
+    map.facts.push_back({"median tile", fmt::format("{:.3f}", all.median)});
+    map.facts.push_back({"worst 5 %", fmt::format("≤ {:.3f}", all.p5)});
+}
+
+} // namespace tile_maps
+
+} // namespace kd

@@ -1,0 +1,47 @@
+#include "viz/figure.h"
+
+#include <algorithm>
+
+namespace kd {
+
+std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view) {
+    if (!view.show_map) return std::nullopt;
+    MapView result{compute_map(frame, view.map), {}};
+    result.summary = summarise_map(result.map, view.heat);
+    return result;
+}
+
+Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
+                          const std::optional<MapView>& map) {
+    Image<Rgba8> image = paint_beauty(frame);
+    if (map) image = blend(image, paint_map(map->map, view.heat, map->summary.range), view.heat.opacity);
+    if (view.overlay.show) {
+        draw_lines(image, split_lines(tree, view.overlay), pinhole(camera, frame.width, frame.height), frame, view.overlay);
+    }
+    return image;
+}
+
+Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view) {
+    return make_picture(frame, tree, camera, view, view_map(frame, view));
+}
+
+Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map, const Font& font,
+                         int scale) {
+    Image<Rgba8> map_legend;
+    Image<Rgba8> depth_legend;
+    if (map) map_legend = draw_legend(map->map, view.heat, map->summary, font, scale);
+    if (view.overlay.show) {
+        const int deepest = std::ranges::max(node_depths(tree));
+        depth_legend = draw_depth_legend(view.overlay, deepest, font, scale);
+    }
+    return stack_images({map_legend, depth_legend}, figure_style::margin * scale);
+}
+
+Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
+                         const std::string& title, const std::string& caption, const Font& font, int scale) {
+    const std::optional<MapView> map = view_map(frame, view);
+    return compose_figure(make_picture(frame, tree, camera, view, map), make_legend(tree, view, map, font, scale), title, caption,
+                          font, scale);
+}
+
+} // namespace kd

@@ -1,0 +1,20 @@
+// Order statistics.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace kd {
+
+/// The least value that at least the fraction `q` (0..1) of `values` does not exceed (nearest rank). Reorders `values`,
+/// which must not be empty nor hold NaN.
+template <class T>
+[[nodiscard]] T percentile(std::vector<T>& values, double q) {
+    const double rank = std::ceil(q * double(values.size()));
+    const auto index = static_cast<std::ptrdiff_t>(std::clamp(rank, 1.0, double(values.size()))) - 1;
+    std::ranges::nth_element(values, values.begin() + index);
+    return values[static_cast<std::size_t>(index)];
+}
+
+} // namespace kd
