@@ -3,11 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 #include <new>
 #include <ostream>
 #include <version.h>
 
+#include "app/assets.h"
 #include "app/commands/commands.h"
+#include "app/help_format.h"
 #include "app/session.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/gl/gl_tracer.h"
@@ -24,15 +27,17 @@ struct UsageError : std::runtime_error {
 };
 
 std::string scene_list() {
-    std::string list = "Scenes:\n";
+    std::vector<HelpEntry> entries;
     for (const ProceduralScene& scene : procedural_scenes()) {
-        const bool sized = scene.default_size > 0;
-        list += fmt::format("  {:<28}{}\n", sized ? fmt::format("{}:N", scene.name) : std::string(scene.name),
-                            sized ? fmt::format("{} N = {} unless given, at most {}.", scene.summary, scene.default_size,
-                                                scene.largest_size)
-                                  : std::string(scene.summary));
+        if (scene.default_size > 0)
+            entries.push_back({fmt::format("{}:N", scene.name), fmt::format("{} N = {} unless given, at most {}.", scene.summary,
+                                                                            scene.default_size, scene.largest_size)});
+        else entries.push_back({std::string(scene.name), std::string(scene.summary)});
     }
-    return list + fmt::format("  {:<28}{}\n", "FILE.gltf, FILE.glb", "A glTF 2.0 file.");
+    for (const auto& file : shipped_scenes())
+        entries.push_back({file.filename().string(), "A glTF scene that comes with the program."});
+    entries.push_back({"FILE.gltf, FILE.glb", "Any glTF 2.0 file."});
+    return help_list("Scenes", entries);
 }
 
 constexpr std::string_view examples = "Examples:\n"
@@ -62,17 +67,10 @@ void supply_command(std::vector<std::string>& arguments) {
     arguments.insert(arguments.begin(), "view");
 }
 
-void prepare_help(CLI::App& app) {
-    app.get_formatter()->column_width(30);
-    app.get_formatter()->label("OPTIONS", "options");
-    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-    app.get_formatter()->label("Subcommands", "Commands");
-}
-
 int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
     supply_command(arguments);
     CLI::App app("kdscope shows what a ray tracer's kd-tree costs, pixel by pixel.", "kdscope");
-    prepare_help(app);
+    app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", fmt::format("kdscope {} ({})", build::version, build::commit));
     app.footer(fmt::format("{}\n{}\nWithout a command, `kdscope SCENE` opens the window. "
                            "`kdscope COMMAND --help` tells more.\n{}",
@@ -106,7 +104,7 @@ int run_and_flush(std::vector<std::string> arguments, CommandContext& context) {
 
 int fail(CommandContext& context, int code, const std::string& line) {
     context.out.flush();
-    context.err << "kdscope: " << line << '\n' << std::flush;
+    context.err << "kdscope: " << printable(line, 4000) << '\n' << std::flush;
     return code;
 }
 

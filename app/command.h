@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <stdexcept>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,7 +45,7 @@ using CommandBody = std::function<int(CommandContext&)>;
 struct Command {
     std::string_view name;
     std::string_view summary;   // one line
-    std::string_view examples;  // shown under --help
+    std::string examples;       // and what else stands at the end of --help
     /// Adds the command's options and returns what runs once they are parsed.
     CommandBody (*declare)(CLI::App&);
 };

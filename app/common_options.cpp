@@ -87,17 +87,17 @@ void add_tracing_options(CLI::App& app, CommonOptions& o) {
     const std::vector<NamedValue<ContextKind>> contexts{
         {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
     const std::vector<NamedValue<std::string>> rules{{"robust", "robust"}};
-    add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree")->group("Tracing");
-    add_choice(app, "--rules", o.rules, rules, "How a walk decides between children")->group("Tracing");
-    add_choice(app, "--tracer", o.tracer, tracers, "What traces: CPU, or GLSL fragment passes")->group("Tracing");
-    add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from")->group("Tracing");
+    add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree [stack]")->group("Tracing");
+    add_choice(app, "--rules", o.rules, rules, "How a walk decides between children [robust]")->group("Tracing");
+    add_choice(app, "--tracer", o.tracer, tracers, "What traces: the CPU, or GLSL fragment passes [cpu]")->group("Tracing");
+    add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from [auto]")->group("Tracing");
 }
 
 void add_shading_options(CLI::App& app, CommonOptions& o) {
     TraceConfig& trace = o.session.trace;
     const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
                                                    {"duplicated", LeafLists::duplicated}};
-    add_choice(app, "--leaf-lists", trace.leaf_lists, lists, "Leaves hold triangle numbers or vertex copies")
+    add_choice(app, "--leaf-lists", trace.leaf_lists, lists, "Leaves hold triangle numbers or vertex copies [references]")
         ->group("Tracing");
     app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
     add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,

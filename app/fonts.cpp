@@ -2,9 +2,14 @@
 
 #include <array>
 #include <cstdlib>
+#include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
 
 namespace kd {
 
@@ -50,6 +55,15 @@ std::optional<fs::path> find_first(const std::vector<fs::path>& folders, const a
 FontFiles find_fonts() {
     const std::vector<fs::path> folders = font_folders();
     return {find_first(folders, text_files), find_first(folders, bold_files), find_first(folders, code_files)};
+}
+
+Font picture_font() {
+    const std::optional<fs::path> file = find_fonts().text;
+    if (!file) return {};
+    try {
+        const std::string bytes = read_file(*file, std::size_t(64) << 20);
+        return Font::from_bytes(std::as_bytes(std::span(bytes)));
+    } catch (const InputError&) { return {}; }
 }
 
 }  // namespace kd

@@ -1,8 +1,10 @@
-// Finding the fonts of the window among those that are installed.
+// Finding the fonts of the window and of exported pictures among those that are installed.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+
+#include "viz/text.h"
 
 namespace kd {
 
@@ -15,5 +17,8 @@ struct FontFiles {
 
 /// Looks in $KDSCOPE_FONTS, the user's font folder and the system's.
 [[nodiscard]] FontFiles find_fonts();
+
+/// The text font for pictures; the built-in dots where none is installed or it cannot be read.
+[[nodiscard]] Font picture_font();
 
 }  // namespace kd

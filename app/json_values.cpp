@@ -42,6 +42,26 @@ Json json_of(const BuildConfig& b) {
             {"reference_cap", json_number(b.reference_cap)}};
 }
 
+Json json_of(const ViewConfig& view) {
+    Json json = Json::object();
+    if (view.show_map) {
+        const HeatmapConfig& heat = view.heat;
+        json["map"] = {{"name", view.map.map},
+                       {"rays", json_key(ray_names[std::size_t(view.map.rays)])},
+                       {"tile_width", view.map.tile_width},
+                       {"tile_height", view.map.tile_height},
+                       {"colormap", heat.colormap},
+                       {"log", heat.logarithmic},
+                       {"opacity", json_number(heat.opacity)}};
+        json["map"]["range"] = heat.range_mode == RangeMode::automatic
+                                   ? Json("automatic")
+                                   : Json::array({json_number(heat.range_min), json_number(heat.range_max)});
+    }
+    if (view.overlay.show)
+        json["overlay"] = {{"depth", view.overlay.max_depth}, {"see_through", !view.overlay.hidden_line}};
+    return json;
+}
+
 Json json_of(const Session& s) {
     Json json{{"scene", s.scene},
               {"seed", s.seed},

@@ -22,6 +22,7 @@ using Json = nlohmann::ordered_json;
 /// Everything in the session but the view.
 [[nodiscard]] Json json_of(const Session& session);
 [[nodiscard]] Json json_of(const BuildConfig& build);
+[[nodiscard]] Json json_of(const ViewConfig& view);
 [[nodiscard]] Json json_of(const FlatScene& scene);
 [[nodiscard]] Json json_of(const TreeStats& stats);
 /// Rays and every counter of the table.

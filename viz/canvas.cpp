@@ -30,9 +30,10 @@ void Column::gap(int pixels) {
 void Column::paragraph(std::string_view text, float size, Rgba8 colour) {
     const float pixels = size * float(scale_);
     for (std::string& line : wrap_text(font_, text, pixels, width_)) {
-        blocks_.push_back({font_.line_height(pixels), [this, line = std::move(line), pixels, colour](Image<Rgba8>& image, int y) {
-                               font_.draw(image, 0, y + font_.ascent(pixels), line, pixels, colour);
-                           }});
+        blocks_.push_back(
+            {font_.line_height(pixels), [this, line = std::move(line), pixels, colour](Image<Rgba8>& image, int y) {
+                 font_.draw(image, 0, y + font_.ascent(pixels), line, pixels, colour);
+             }});
     }
 }
 
@@ -54,7 +55,9 @@ void Column::row(const std::string& label, const std::string& value, Rgba8 swatc
     });
 }
 
-void Column::drawing(int height, std::function<void(Image<Rgba8>&, int)> draw) { blocks_.push_back({height, std::move(draw)}); }
+void Column::drawing(int height, std::function<void(Image<Rgba8>&, int)> draw) {
+    blocks_.push_back({height, std::move(draw)});
+}
 
 Image<Rgba8> Column::render(Rgba8 background) const {
     int height = 0;
@@ -68,4 +71,4 @@ Image<Rgba8> Column::render(Rgba8 background) const {
     return image;
 }
 
-} // namespace kd
+}  // namespace kd

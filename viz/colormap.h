@@ -12,7 +12,7 @@ struct Colormap {
     std::string_view name;
     std::string_view summary;
     bool diverging = false;
-    std::span<const Rgba8> table; // evenly spaced from 0 to 1
+    std::span<const Rgba8> table;  // evenly spaced from 0 to 1
 
     /// `x` is clamped to [0, 1]; linear between entries. NaN gives the first entry.
     [[nodiscard]] Rgba8 operator()(float x) const;
@@ -35,4 +35,4 @@ inline constexpr Rgba8 untraced_colour{40, 40, 44, 255};  // no value: no ray wa
 /// `a` + (b - a) * x per channel, rounded to nearest; x in [0, 1].
 [[nodiscard]] Rgba8 mix(Rgba8 a, Rgba8 b, float x);
 
-} // namespace kd
+}  // namespace kd

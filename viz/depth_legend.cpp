@@ -13,7 +13,8 @@ Image<Rgba8> draw_depth_legend(const OverlayConfig& config, int deepest, const F
     const int height = 14;
     Column column(font, style::legend_width * scale, scale);
     column.paragraph("kd-tree cells", style::heading_text, style::text);
-    column.paragraph(config.hidden_line ? "colour = depth of the split" : "colour = depth of the split; faint = behind a surface",
+    column.paragraph(config.hidden_line ? "colour = depth of the split"
+                                        : "colour = depth of the split; faint = behind a surface",
                      style::small_text, style::dim_text);
     column.gap(6);
     column.drawing(height * scale, [&](Image<Rgba8>& image, int y) {
@@ -28,4 +29,4 @@ Image<Rgba8> draw_depth_legend(const OverlayConfig& config, int deepest, const F
     return column.render(style::background);
 }
 
-} // namespace kd
+}  // namespace kd

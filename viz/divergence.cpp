@@ -12,7 +12,7 @@ namespace kd {
 namespace {
 
 struct TileWork {
-    Tile area; // cut to the image
+    Tile area;  // cut to the image
     std::uint64_t sum = 0, max = 0;
 };
 
@@ -46,7 +46,7 @@ void fill_tile(Image<float>& image, const Tile& area, Value value) {
     }
 }
 
-} // namespace
+}  // namespace
 
 Image<float> step_efficiency(const RayLayer& layer, int tile_width, int tile_height) {
     Image<float> result(layer.counters.width, layer.counters.height, std::numeric_limits<float>::quiet_NaN());
@@ -61,7 +61,8 @@ Image<float> step_efficiency(const RayLayer& layer, int tile_width, int tile_hei
 Image<float> idle_steps(const RayLayer& layer, int tile_width, int tile_height) {
     Image<float> result(layer.counters.width, layer.counters.height);
     for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
-        fill_tile(result, work.area, [&](int x, int y) { return float(work.max - lane_steps(layer.counters.at(x, y))); });
+        fill_tile(result, work.area,
+                  [&](int x, int y) { return float(work.max - lane_steps(layer.counters.at(x, y))); });
     });
     return result;
 }
@@ -110,6 +111,6 @@ void describe(const Frame& frame, const MapConfig& config, ScalarMap& map) {
     map.facts.push_back({"worst 5 %", fmt::format("≤ {:.3f}", all.p5)});
 }
 
-} // namespace tile_maps
+}  // namespace tile_maps
 
-} // namespace kd
+}  // namespace kd

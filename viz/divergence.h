@@ -1,8 +1,8 @@
 // Divergence: what pixels lose by waiting for their neighbours when a group of them runs in lockstep.
 //
-// The model: the W = width * height pixels of a tile are the lanes of one SIMD group (a warp, a wavefront). Each lane has n
-// steps to do, one per interior visit, leaf visit and triangle test; the group makes one step of every lane at a time
-// and ends with its slowest lane. Lanes past the image border and lanes without a ray stay idle, and count.
+// The model: the W = width * height pixels of a tile are the lanes of one SIMD group (a warp, a wavefront). Each lane
+// has n steps to do, one per interior visit, leaf visit and triangle test; the group makes one step of every lane at a
+// time and ends with its slowest lane. Lanes past the image border and lanes without a ray stay idle, and count.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace kd {
     return std::uint64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
 }
 
-/// Step efficiency of every tile, painted on all its pixels: sum(n) / (W * max(n)), in [1/W, 1]; 1 = nobody waits. NaN for a
-/// tile in which no lane has a step to do. Tile sides are at least 1; tiles start at the top left.
+/// Step efficiency of every tile, painted on all its pixels: sum(n) / (W * max(n)), in [1/W, 1]; 1 = nobody waits. NaN
+/// for a tile in which no lane has a step to do. Tile sides are at least 1; tiles start at the top left.
 [[nodiscard]] Image<float> step_efficiency(const RayLayer& layer, int tile_width, int tile_height);
 
 /// Steps that each lane waits for the slowest of its tile: max(n) - n, at least 0.
@@ -26,9 +26,9 @@ namespace kd {
 /// The whole image in numbers, over the tiles that have work.
 struct DivergenceSummary {
     std::int64_t tiles = 0;
-    double weighted = 0;               // sum of n over sum of W * max(n): the efficiency of the image
-    double mean = 0, median = 0, p5 = 0; // of the tiles' efficiencies, each tile counting once
-    std::uint64_t steps = 0, slots = 0; // sum of n, sum of W * max(n)
+    double weighted = 0;                  // sum of n over sum of W * max(n): the efficiency of the image
+    double mean = 0, median = 0, p5 = 0;  // of the tiles' efficiencies, each tile counting once
+    std::uint64_t steps = 0, slots = 0;   // sum of n, sum of W * max(n)
 };
 
 [[nodiscard]] DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height);
@@ -36,8 +36,8 @@ struct DivergenceSummary {
 /// The registry's entries.
 namespace tile_maps {
 [[nodiscard]] Image<float> divergence(const Frame& frame, const MapConfig& config);
-[[nodiscard]] Image<float> idle(const Frame& frame, const MapConfig& config); // NaN where no ray was traced
+[[nodiscard]] Image<float> idle(const Frame& frame, const MapConfig& config);  // NaN where no ray was traced
 void describe(const Frame& frame, const MapConfig& config, ScalarMap& map);
-} // namespace tile_maps
+}  // namespace tile_maps
 
-} // namespace kd
+}  // namespace kd

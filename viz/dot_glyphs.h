@@ -12,4 +12,4 @@ using DotGlyph = std::array<std::uint8_t, 7>;
 /// Small letters look like capitals, typographic signs like their nearest ASCII sign; a box for what is not there.
 [[nodiscard]] const DotGlyph& dot_glyph(char32_t code);
 
-} // namespace kd
+}  // namespace kd

@@ -12,10 +12,11 @@ namespace {
 
 constexpr Rgba8 outline_colour{12, 12, 16, 255};
 constexpr float outline_strength = 0.75f;
-constexpr float hidden_strength = 0.3f; // of what lies behind the surface, where it shows
+constexpr float hidden_strength = 0.3f;  // of what lies behind the surface, where it shows
 
-/// A line counts as hidden where it is behind the surface by more than this fraction of the depth, plus what the surface's
-/// depth changes to the nearest neighbour pixel: lines that lie in a surface stay visible, however steep it is.
+/// A line counts as hidden where it is behind the surface by more than this fraction of the depth, plus what the
+/// surface's depth changes to the nearest neighbour pixel: lines that lie in a surface stay visible, however steep it
+/// is.
 constexpr double depth_tolerance = 1e-3;
 
 /// Depths of the surface seen, and up to where a line is visible at each pixel; infinite where nothing was hit.
@@ -45,16 +46,16 @@ Image<float> visible_depth(const Projection& projection, const Frame& frame) {
     return limit;
 }
 
-/// What the lines cover of each pixel. Collected first and laid over the image once, so that lines on top of each other do
-/// not add up.
+/// What the lines cover of each pixel. Collected first and laid over the image once, so that lines on top of each
+/// other do not add up.
 struct Ink {
-    float line = 0;    // coverage by the line, 0..1
-    float outline = 0; // by the line and its outline
+    float line = 0;     // coverage by the line, 0..1
+    float outline = 0;  // by the line and its outline
     Rgba8 colour;
 };
 
 class LinePainter {
-public:
+  public:
     LinePainter(const PinholeCamera& camera, const Frame& frame, const OverlayConfig& config)
         : projection_(camera, frame.width, frame.height), limit_(visible_depth(projection_, frame)), config_(config),
           ink_(frame.width, frame.height) {}
@@ -81,7 +82,7 @@ public:
         }
     }
 
-private:
+  private:
     /// Visits the pixels along the major axis (x where `flat`), and across it the few that line and outline touch.
     template <bool flat>
     void walk(PixelPoint a, PixelPoint b, Rgba8 colour) {
@@ -90,7 +91,7 @@ private:
         if (major(a) > major(b)) std::swap(a, b);
         const double length = major(b) - major(a);
         const double slope = length > 0 ? (minor(b) - minor(a)) / length : 0;
-        const double across = 1 / std::sqrt(1 + slope * slope); // distance to the line per pixel of minor axis
+        const double across = 1 / std::sqrt(1 + slope * slope);  // distance to the line per pixel of minor axis
         const int first = int(std::floor(major(a)));
         const int last = int(std::floor(major(b)));
         for (int i = first; i <= last; ++i) {
@@ -99,22 +100,27 @@ private:
             // 1/depth is linear in the picture.
             const double depth = 1 / ((1 - s) / a.depth + s / b.depth);
             const int middle = int(std::floor(centre));
+            // Decided once for the width of the line, so that its outline does not fray on a slanted surface.
+            const bool hidden = flat ? is_hidden(i, middle, depth) : is_hidden(middle, i, depth);
+            if (hidden && config_.hidden_line) continue;
+            const float strength = hidden ? hidden_strength : 1.0f;
             for (int j = middle - 2; j <= middle + 2; ++j) {
                 const double distance = std::abs(j + 0.5 - centre) * across;
                 if (flat) {
-                    mark(i, j, distance, depth, colour);
+                    mark(i, j, distance, strength, colour);
                 } else {
-                    mark(j, i, distance, depth, colour);
+                    mark(j, i, distance, strength, colour);
                 }
             }
         }
     }
 
-    void mark(int x, int y, double distance, double depth, Rgba8 colour) {
+    [[nodiscard]] bool is_hidden(int x, int y, double depth) const {
+        return depth > double(limit_.at(std::clamp(x, 0, limit_.width - 1), std::clamp(y, 0, limit_.height - 1)));
+    }
+
+    void mark(int x, int y, double distance, float strength, Rgba8 colour) {
         if (distance >= 2 || !ink_.contains(x, y)) return;
-        const bool hidden = depth > double(limit_.at(x, y));
-        if (hidden && config_.hidden_line) return;
-        const float strength = hidden ? hidden_strength : 1.0f;
         const float line = strength * float(std::clamp(1.25 - distance, 0.0, 1.0));
         Ink& ink = ink_.at(x, y);
         ink.outline = std::max(ink.outline, strength * float(std::min(2 - distance, 1.0)));
@@ -131,7 +137,7 @@ private:
     Image<Ink> ink_;
 };
 
-} // namespace
+}  // namespace
 
 Rgba8 depth_colour(int depth, int max_depth) {
     static const Colormap& plasma = get_colormap("plasma");
@@ -139,13 +145,14 @@ Rgba8 depth_colour(int depth, int max_depth) {
     return plasma(0.97f - 0.67f * share);
 }
 
-void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera, const Frame& frame,
-                const OverlayConfig& config) {
+void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera,
+                const Frame& frame, const OverlayConfig& config) {
     assert(image.width == frame.width && image.height == frame.height);
+    if (image.empty()) return;
     LinePainter painter(camera, frame, config);
     // Backwards, so that the first lines, the shallow ones, are on top.
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) painter.add(*line);
     painter.apply(image);
 }
 
-} // namespace kd
+}  // namespace kd

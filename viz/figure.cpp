@@ -16,7 +16,8 @@ Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& 
     Image<Rgba8> image = paint_beauty(frame);
     if (map) image = blend(image, paint_map(map->map, view.heat, map->summary.range), view.heat.opacity);
     if (view.overlay.show) {
-        draw_lines(image, split_lines(tree, view.overlay), pinhole(camera, frame.width, frame.height), frame, view.overlay);
+        draw_lines(image, split_lines(tree, view.overlay), pinhole(camera, frame.width, frame.height), frame,
+                   view.overlay);
     }
     return image;
 }
@@ -25,8 +26,8 @@ Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& 
     return make_picture(frame, tree, camera, view, view_map(frame, view));
 }
 
-Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map, const Font& font,
-                         int scale) {
+Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map,
+                         const Font& font, int scale) {
     Image<Rgba8> map_legend;
     Image<Rgba8> depth_legend;
     if (map) map_legend = draw_legend(map->map, view.heat, map->summary, font, scale);
@@ -40,8 +41,8 @@ Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::
 Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
                          const std::string& title, const std::string& caption, const Font& font, int scale) {
     const std::optional<MapView> map = view_map(frame, view);
-    return compose_figure(make_picture(frame, tree, camera, view, map), make_legend(tree, view, map, font, scale), title, caption,
-                          font, scale);
+    return compose_figure(make_picture(frame, tree, camera, view, map), make_legend(tree, view, map, font, scale),
+                          title, caption, font, scale);
 }
 
-} // namespace kd
+}  // namespace kd

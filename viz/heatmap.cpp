@@ -29,11 +29,15 @@ ValueRange repaired(ValueRange range, bool logarithmic) {
     if (logarithmic) {
         if (!(range.max > 0)) return {1, 10};
         if (!(range.min > 0)) range.min = range.max / 1000;
-        return range.max > range.min ? range : ValueRange{range.min, range.min * 10};
+        if (range.max > range.min) return range;
+        const float above = range.min * 10;
+        return std::isfinite(above) ? ValueRange{range.min, above} : ValueRange{range.min / 10, range.min};
     }
     if (range.max > range.min) return range;
     // A tenth of the value, so that huge and tiny ones keep distinct ends; 1 around zero.
-    return {range.min, range.min + (range.min == 0 ? 1.0f : std::max(std::abs(range.min) * 0.1f, 1e-30f))};
+    const float width = range.min == 0 ? 1.0f : std::max(std::abs(range.min) * 0.1f, 1e-30f);
+    const float above = range.min + width;
+    return std::isfinite(above) ? ValueRange{range.min, above} : ValueRange{range.min - width, range.min};
 }
 
 /// The percentile, unless so few values differ from the least that it would hide them all.
@@ -58,8 +62,18 @@ ValueRange automatic_range(const ScalarMap& map, const HeatmapConfig& config) {
     return repaired({low, high}, config.logarithmic);
 }
 
-void fill_histogram(MapSummary& summary, const std::vector<float>& values, bool logarithmic, int bins) {
-    summary.histogram.assign(static_cast<std::size_t>(std::max(bins, 1)), 0);
+/// Bins for the range: at most `most`, and for whole numbers so many that each holds equally many of them. Otherwise
+/// bins with and without a number would alternate.
+std::size_t bin_count(const ScalarMap& map, ValueRange range, bool logarithmic, int most) {
+    const double extent = double(range.max) - double(range.min);
+    most = std::max(most, 1);
+    if (!map.integer || logarithmic) return static_cast<std::size_t>(most);
+    const double numbers_per_bin = std::max(1.0, std::ceil(extent / most));
+    return static_cast<std::size_t>(std::max(1.0, std::floor(extent / numbers_per_bin)));
+}
+
+void fill_histogram(MapSummary& summary, const std::vector<float>& values, bool logarithmic, std::size_t bins) {
+    summary.histogram.assign(bins, 0);
     const auto last = summary.histogram.size() - 1;
     for (const float v : values) {
         if (v < summary.range.min) {
@@ -77,7 +91,7 @@ unsigned char to_byte(float channel) {
     return static_cast<unsigned char>(std::clamp(channel, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-} // namespace
+}  // namespace
 
 ValueRange choose_range(const ScalarMap& map, const HeatmapConfig& config) {
     if (config.range_mode == RangeMode::automatic) return automatic_range(map, config);
@@ -92,7 +106,7 @@ MapSummary summarise_map(const ScalarMap& map, const HeatmapConfig& config, int 
         if (std::isinf(v)) ++summary.broken;
     }
     std::vector<float> values = finite_values(map, false);
-    fill_histogram(summary, values, config.logarithmic, bins);
+    fill_histogram(summary, values, config.logarithmic, bin_count(map, summary.range, config.logarithmic, bins));
     summary.count = std::int64_t(values.size());
     if (values.empty()) return summary;
     for (const float v : values) summary.sum += double(v);
@@ -150,4 +164,4 @@ Image<Rgba8> blend(const Image<Rgba8>& bottom, const Image<Rgba8>& top, float op
     return image;
 }
 
-} // namespace kd
+}  // namespace kd

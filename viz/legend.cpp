@@ -13,21 +13,26 @@ namespace {
 
 namespace style = figure_style;
 
-constexpr int bar_height = 200, bar_left = 72, bar_width = 20, cap_height = 10, tick_length = 5;
+constexpr int bar_height = 200, bar_left = 72, bar_width = 20, cap_height = 10, tick_length = 5, bar_margin = 18;
 
 std::string_view range_word(RangeMode mode) {
     switch (mode) {
-        case RangeMode::fixed: return "range fixed";
-        case RangeMode::locked: return "range locked";
+        case RangeMode::fixed: return "fixed";
+        case RangeMode::locked: return "locked";
         case RangeMode::automatic: break;
     }
-    return "range automatic";
+    return "automatic";
 }
 
-/// "visits, linear scale, range automatic".
+/// "visits · linear scale".
 std::string scale_line(const ScalarMap& map, const HeatmapConfig& config) {
-    const std::string unit = map.unit.empty() ? "ratio" : map.unit;
-    return fmt::format("{} · {} scale · {}", unit, config.logarithmic ? "log" : "linear", range_word(config.range_mode));
+    return fmt::format("{} · {} scale", map.unit.empty() ? "ratio" : map.unit, config.logarithmic ? "log" : "linear");
+}
+
+/// "0 – 382, locked".
+std::string range_text(const HeatmapConfig& config, ValueRange range) {
+    return fmt::format("{} – {}, {}", number_text(double(range.min)), number_text(double(range.max)),
+                       range_word(config.range_mode));
 }
 
 /// A triangle that points out of the bar's end where values lie beyond it.
@@ -44,21 +49,20 @@ void draw_histogram(Image<Rgba8>& image, int top, const MapSummary& summary, int
     if (tallest == 0) return;
     const auto bins = std::int64_t(summary.histogram.size());
     const int height = bar_height * scale;
-    const int right = (bar_left - 4) * scale;
-    const int room = right;
+    const int right = (bar_left - 4) * scale;  // and the room that the tallest fills
     for (int row = 0; row < height; ++row) {
         // The bin under the middle of this row; the first bin is at the bottom.
         const std::int64_t bin = (2 * (height - row) - 1) * bins / (2 * height);
         const std::int64_t count = summary.histogram[static_cast<std::size_t>(bin)];
         if (count == 0) continue;
         // At least one dot: a rare value must not vanish beside a frequent one.
-        const int length = std::max(scale, int(double(room) * double(count) / double(tallest)));
+        const int length = std::max(scale, int(double(right) * double(count) / double(tallest)));
         fill_rectangle(image, right - length, top + row, right, top + row + 1, style::histogram);
     }
 }
 
-void draw_ticks(Image<Rgba8>& image, int top, const ScalarMap& map, const HeatmapConfig& config, const MapSummary& summary,
-                const Column& column) {
+void draw_ticks(Image<Rgba8>& image, int top, const ScalarMap& map, const HeatmapConfig& config,
+                const MapSummary& summary, const Column& column) {
     const int scale = column.scale();
     const float size = style::small_text * float(scale);
     const std::vector<double> ticks = tick_values(summary.range, config.logarithmic, map.integer);
@@ -72,13 +76,14 @@ void draw_ticks(Image<Rgba8>& image, int top, const ScalarMap& map, const Heatma
         const int y = top + int(std::lround((1 - position) * float(bar_height * scale)));
         fill_rectangle(image, left, y - scale / 2, left + tick_length * scale, y - scale / 2 + scale, style::line);
         const int baseline = y + int(std::lround(double(size) * 0.36));
-        column.font().draw(image, text_right - column.font().width(texts[i], size), baseline, texts[i], size, style::text);
+        column.font().draw(image, text_right - column.font().width(texts[i], size), baseline, texts[i], size,
+                           style::text);
     }
 }
 
 void add_bar(Column& column, const ScalarMap& map, const HeatmapConfig& config, const MapSummary& summary) {
     const int scale = column.scale();
-    const int room = (cap_height + 2) * scale;
+    const int room = bar_margin * scale;
     column.drawing(bar_height * scale + 2 * room, [&, scale, room](Image<Rgba8>& image, int y) {
         const Colormap& colours = get_colormap(config.colormap);
         const int top = y + room;
@@ -92,6 +97,10 @@ void add_bar(Column& column, const ScalarMap& map, const HeatmapConfig& config, 
         if (summary.above > 0) draw_cap(image, left, width, top, cap_height * scale, true, colours(1));
         if (summary.below > 0) draw_cap(image, left, width, top + height, cap_height * scale, false, colours(0));
         draw_histogram(image, top, summary, scale);
+        const float size = style::small_text * float(scale);
+        const float label_left = float((bar_left - 4) * scale) - column.font().width("pixels", size);
+        column.font().draw(image, label_left, top + height + column.font().ascent(size), "pixels", size,
+                           style::dim_text);
         draw_ticks(image, top, map, config, summary, column);
     });
 }
@@ -103,10 +112,12 @@ void add_exceptions(Column& column, const HeatmapConfig& config, const MapSummar
     const Colormap& colours = get_colormap(config.colormap);
     const double all = pixel_total(summary);
     if (summary.above > 0) {
-        column.row("clipped above " + number_text(double(summary.range.max)), percent_text(double(summary.above), all), colours(1));
+        column.row("clipped above " + number_text(double(summary.range.max)), percent_text(double(summary.above), all),
+                   colours(1));
     }
     if (summary.below > 0) {
-        column.row("clipped below " + number_text(double(summary.range.min)), percent_text(double(summary.below), all), colours(0));
+        column.row("clipped below " + number_text(double(summary.range.min)), percent_text(double(summary.below), all),
+                   colours(0));
     }
     if (summary.missing > 0) column.row("no value", percent_text(double(summary.missing), all), untraced_colour);
     if (summary.broken > 0) column.row("not finite", percent_text(double(summary.broken), all), nan_colour);
@@ -114,9 +125,9 @@ void add_exceptions(Column& column, const HeatmapConfig& config, const MapSummar
 
 void add_quantity(Column& column, const ScalarMap& map, const HeatmapConfig& config, const MapSummary& summary) {
     column.paragraph(scale_line(map, config), style::small_text, style::dim_text);
-    column.gap(2);
     add_bar(column, map, config, summary);
     column.gap(2);
+    column.row("range", range_text(config, summary.range));
     if (summary.count > 0) {
         column.row("min", number_text(double(summary.min)));
         column.row("mean", number_text(summary.mean));
@@ -136,7 +147,7 @@ void add_categories(Column& column, const ScalarMap& map, const MapSummary& summ
     if (summary.missing > 0) column.row("no value", percent_text(double(summary.missing), all), untraced_colour);
 }
 
-} // namespace
+}  // namespace
 
 Image<Rgba8> draw_legend(const ScalarMap& map, const HeatmapConfig& config, const MapSummary& summary, const Font& font,
                          int scale) {
@@ -194,4 +205,4 @@ Image<Rgba8> compose_figure(const Image<Rgba8>& picture, const Image<Rgba8>& leg
     return figure;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -30,14 +30,15 @@ constexpr std::array<MapInfo, 14> table{{
      "0 = every node visited once, 0.5 = half of the visits are repetition.", px::revisit_share, nullptr},
     {"leaves", "leaves visited", "visits", count, "Leaf cells that the ray passed through, empty ones included.",
      px::leaves, nullptr},
-    {"triangles", "triangles tested", "tests", count, "Ray-triangle tests; a triangle in several leaves counts each time.",
-     px::triangles, nullptr},
+    {"triangles", "triangles tested", "tests", count,
+     "Ray-triangle tests; a triangle in several leaves counts each time.", px::triangles, nullptr},
     {"steps", "steps taken", "steps", count, "Interior visits, leaf visits and triangle tests together.", px::steps,
      nullptr},
     {"restarts", "restarts from the root", "restarts", count,
      "How often kd-restart went back to the root for the next leaf.", px::restarts, nullptr},
     {"backtracks", "climbs from a leaf", "climbs", count,
-     "How often kd-backtrack climbed from a leaf towards the root to find the next far child.", px::backtracks, nullptr},
+     "How often kd-backtrack climbed from a leaf towards the root to find the next far child.", px::backtracks,
+     nullptr},
     {"stack-depth", "deepest stack", "entries", count, "Most far children that waited on the stack at one time.",
      px::stack_depth, nullptr},
     {"exit", "why the ray ended", "", category, "Hit and miss are answers; every other colour is a ray given up.",
@@ -48,7 +49,8 @@ constexpr std::array<MapInfo, 14> table{{
      "Share of a group's lane-steps that do work if its pixels run in lockstep: 1 = nobody waits.", nullptr,
      tile_maps::divergence, tile_maps::describe},
     {"idle", "idle steps per pixel", "steps", count,
-     "Steps that a pixel waits for the slowest pixel of its SIMD group.", nullptr, tile_maps::idle, tile_maps::describe},
+     "Steps that a pixel waits for the slowest pixel of its SIMD group.", nullptr, tile_maps::idle,
+     tile_maps::describe},
 }};
 
 const MapInfo& get_map(std::string_view name) {
@@ -59,8 +61,8 @@ const MapInfo& get_map(std::string_view name) {
 }
 
 void check_tile(const MapConfig& config) {
-    const bool sides = config.tile_width >= 1 && config.tile_height >= 1 && config.tile_width <= 1024 &&
-                       config.tile_height <= 1024;
+    const bool sides =
+        config.tile_width >= 1 && config.tile_height >= 1 && config.tile_width <= 1024 && config.tile_height <= 1024;
     const int lanes = sides ? config.tile_width * config.tile_height : 0;
     if (lanes >= 4 && lanes <= 1024) return;
     throw InputError(fmt::format("map '{}': tile {}x{}: a tile holds 4 to 1024 pixels; try 8x4", config.map,
@@ -76,7 +78,7 @@ Image<float> evaluate_pixels(const Frame& frame, const MapInfo& info, Pass pass)
     return values;
 }
 
-} // namespace
+}  // namespace
 
 std::span<const MapInfo> maps() { return table; }
 
@@ -89,8 +91,8 @@ bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {
     if (pass == Pass::rt_prim) return frame.colour.pixels[pixel].w != 0;
     const RayLayer& layer = frame.layer(pass);
     const RayCounters& c = layer.counters.pixels[pixel];
-    return (c.interior_first | c.interior_again | c.leaves | c.triangle_tests | c.restarts | c.backtracks | c.stack_depth |
-            c.exit_reason) != 0 ||
+    return (c.interior_first | c.interior_again | c.leaves | c.triangle_tests | c.restarts | c.backtracks |
+            c.stack_depth | c.exit_reason) != 0 ||
            layer.hit.pixels[pixel].triangle >= 0;
 }
 
@@ -120,10 +122,9 @@ ScalarMap difference(const ScalarMap& a, const ScalarMap& b) {
     result.integer = a.integer && b.integer;
     result.values = Image<float>(a.values.width, a.values.height);
     // NaN minus anything is NaN: no value where one of them has none. A broken value stays broken.
-    std::ranges::transform(a.values.pixels, b.values.pixels, result.values.pixels.begin(), [](float x, float y) {
-        return std::isinf(x) && std::isinf(y) ? x : x - y;
-    });
+    std::ranges::transform(a.values.pixels, b.values.pixels, result.values.pixels.begin(),
+                           [](float x, float y) { return std::isinf(x) && std::isinf(y) ? x : x - y; });
     return result;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -1,7 +1,7 @@
 // Maps: one scalar per pixel, computed from a frame. Heatmaps and divergence maps are both of this kind.
 //
-// To add a map: write its function in pixel_maps.cpp (one pixel at a time) or divergence.cpp (groups of pixels), and add
-// one line to the table in map.cpp.
+// To add a map: write its function in pixel_maps.cpp (one pixel at a time) or divergence.cpp (groups of pixels), and
+// add one line to the table in map.cpp.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ namespace kd {
 /// Settings that some maps read.
 struct MapConfig {
     std::string map = "nodes";
-    Pass rays = Pass::rt_prim; // whose counters
-    int tile_width = 8;        // divergence, idle: pixels of one SIMD group; width * height in 4..1024
+    Pass rays = Pass::rt_prim;  // whose counters
+    int tile_width = 8;         // divergence, idle: pixels of one SIMD group; width * height in 4..1024
     int tile_height = 4;
 
     bool operator==(const MapConfig&) const = default;
@@ -31,8 +31,8 @@ struct ValueRange {
 
 /// A number about the whole map that its pixels do not tell, ready for print.
 struct MapFact {
-    std::string label; // "whole image"
-    std::string value; // "0.73"
+    std::string label;  // "whole image"
+    std::string value;  // "0.73"
     bool operator==(const MapFact&) const = default;
 };
 
@@ -42,8 +42,8 @@ struct ScalarMap {
     std::string subject;  // "primary rays"
     std::string unit;     // "visits"; "" for a share or ratio
     bool integer = true;
-    std::optional<ValueRange> natural_range; // where the quantity has one, as a share has 0..1
-    std::vector<std::string> categories;     // values 0, 1, ... are these; empty for quantities
+    std::optional<ValueRange> natural_range;  // where the quantity has one, as a share has 0..1
+    std::vector<std::string> categories;      // values 0, 1, ... are these; empty for quantities
     std::vector<MapFact> facts;
     Image<float> values;
 };
@@ -51,14 +51,14 @@ struct ScalarMap {
 struct MapInfo {
     enum class Kind { count, ratio, length, category };
 
-    std::string_view name; // "nodes", "leaves", "triangles", "restarts", "revisits", "divergence", "idle", ...
+    std::string_view name;  // "nodes", "leaves", "triangles", "restarts", "revisits", "divergence", "idle", ...
     std::string_view title;
     std::string_view unit;
     Kind kind;
-    std::string_view summary; // how to read it, one or two sentences
-    float (*of_pixel)(const RayCounters&, const Hit&);        // null for maps over tiles
-    Image<float> (*of_frame)(const Frame&, const MapConfig&); // null for maps over pixels
-    void (*describe)(const Frame&, const MapConfig&, ScalarMap&) = nullptr; // adds facts or categories; may be null
+    std::string_view summary;                                                // how to read it, one or two sentences
+    float (*of_pixel)(const RayCounters&, const Hit&);                       // null for maps over tiles
+    Image<float> (*of_frame)(const Frame&, const MapConfig&);                // null for maps over pixels
+    void (*describe)(const Frame&, const MapConfig&, ScalarMap&) = nullptr;  // adds facts or categories; may be null
 
     [[nodiscard]] bool over_tiles() const { return of_frame != nullptr; }
     [[nodiscard]] bool integer() const { return kind == Kind::count || kind == Kind::category; }
@@ -67,8 +67,9 @@ struct MapInfo {
 [[nodiscard]] std::span<const MapInfo> maps();
 [[nodiscard]] const MapInfo* find_map(std::string_view name);
 
-/// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where the
-/// pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was hit.
+/// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
+/// the pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was
+/// hit.
 [[nodiscard]] bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel);
 
 /// InputError for an unknown name or a tile outside 4..1024 pixels.
@@ -77,4 +78,4 @@ struct MapInfo {
 /// `a` - `b` where both have a value, for comparing two configurations. The maps must be of the same size and quantity.
 [[nodiscard]] ScalarMap difference(const ScalarMap& a, const ScalarMap& b);
 
-} // namespace kd
+}  // namespace kd

@@ -64,7 +64,7 @@ std::vector<double> log_ticks(ValueRange range) {
     const double low = std::log10(double(range.min));
     const double high = std::log10(double(range.max));
     const double decades = high - low;
-    if (decades < 1) return linear_ticks(range, false); // hardly a log scale: 1-2-5 steps read better
+    if (decades < 1) return linear_ticks(range, false);  // hardly a log scale: 1-2-5 steps read better
     const int stride = std::max(1, int(std::ceil(decades / most_ticks)));
     std::vector<double> ticks;
     for (int exponent = int(std::floor(low)); exponent <= int(std::ceil(high)); exponent += stride) {
@@ -95,7 +95,7 @@ bool needs_exponent(double value) {
     return size != 0 && (size >= 1e9 || size < 1e-3);
 }
 
-} // namespace
+}  // namespace
 
 std::vector<double> tick_values(ValueRange range, bool logarithmic, bool integer) {
     if (!(range.max > range.min) || (logarithmic && !(range.min > 0))) return {};
@@ -135,4 +135,4 @@ std::string percent_text(double part, double whole) {
     return fmt::format("{:.0f} %", percent);
 }
 
-} // namespace kd
+}  // namespace kd

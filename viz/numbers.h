@@ -21,4 +21,4 @@ namespace kd {
 /// A share of 1 in percent: "12 %", "0.5 %", "< 0.1 %"; never "0 %" for what is there nor "100 %" for what is not all.
 [[nodiscard]] std::string percent_text(double part, double whole);
 
-} // namespace kd
+}  // namespace kd

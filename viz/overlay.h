@@ -29,17 +29,20 @@ struct WorldLine {
     int node;
 };
 
-/// Outlines of splits and cells down to max_depth; at most `limit` lines, shallowest first. Each node's outline is whole or absent.
-[[nodiscard]] std::vector<WorldLine> split_lines(const KdTree& tree, const OverlayConfig& config, std::size_t limit = 200000);
+/// Outlines of splits and cells down to max_depth; at most `limit` lines, shallowest first. Each node's outline is
+/// whole or absent.
+[[nodiscard]] std::vector<WorldLine> split_lines(const KdTree& tree, const OverlayConfig& config,
+                                                 std::size_t limit = 200000);
 
-/// Outlines of the leaves that a ray meets up to `t_end`, in order, each after the splits above it that are not shown yet.
+/// Outlines of the leaves that a ray meets up to `t_end`, in order, each after the splits above it that are not shown
+/// yet.
 [[nodiscard]] std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end);
 
-/// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit they are
-/// left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and `image` and
-/// `frame` of one size. Where lines cross, the one nearer the start of the list is on top.
-void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera, const Frame& frame,
-                const OverlayConfig& config);
+/// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit
+/// they are left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and
+/// `image` and `frame` of one size. Where lines cross, the one nearer the start of the list is on top.
+void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera,
+                const Frame& frame, const OverlayConfig& config);
 
 /// Colour of lines at `depth`: pale yellow at the root to purple at max_depth and below.
 [[nodiscard]] Rgba8 depth_colour(int depth, int max_depth);
@@ -47,4 +50,4 @@ void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const 
 /// What the colours mean: a swatch for each depth from 0 to the deepest shown.
 [[nodiscard]] Image<Rgba8> draw_depth_legend(const OverlayConfig& config, int deepest, const Font& font, int scale = 1);
 
-} // namespace kd
+}  // namespace kd

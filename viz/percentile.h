@@ -17,4 +17,4 @@ template <class T>
     return values[static_cast<std::size_t>(index)];
 }
 
-} // namespace kd
+}  // namespace kd

@@ -35,4 +35,4 @@ void describe_exit(const Frame&, const MapConfig&, ScalarMap& map) {
     }
 }
 
-} // namespace kd::pixel_maps
+}  // namespace kd::pixel_maps

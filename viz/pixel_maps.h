@@ -24,4 +24,4 @@ namespace kd::pixel_maps {
 /// Categories of exit_reason.
 void describe_exit(const Frame&, const MapConfig&, ScalarMap& map);
 
-} // namespace kd::pixel_maps
+}  // namespace kd::pixel_maps

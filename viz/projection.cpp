@@ -8,7 +8,8 @@
 namespace kd {
 namespace {
 
-/// The near plane, as a fraction of the segment's larger depth: keeps pixel positions finite, is far below a pixel's size.
+/// The near plane, as a fraction of the segment's larger depth: keeps pixel positions finite, is far below a pixel's
+/// size.
 constexpr double near_fraction = 1e-5;
 
 /// Cuts the parameter interval [begin, end] to where start + s * slope >= 0; false where nothing is left.
@@ -23,11 +24,12 @@ bool cut(double start, double slope, double& begin, double& end) {
     return begin <= end;
 }
 
-} // namespace
+}  // namespace
 
 Projection::Projection(const PinholeCamera& camera, int width, int height)
-    : eye_(camera.eye), focal_(glm::length(glm::dvec3(camera.forward))), right_length_(glm::length(glm::dvec3(camera.right))),
-      up_length_(glm::length(glm::dvec3(camera.up))), width_(width), height_(height) {
+    : eye_(camera.eye), focal_(glm::length(glm::dvec3(camera.forward))),
+      right_length_(glm::length(glm::dvec3(camera.right))), up_length_(glm::length(glm::dvec3(camera.up))),
+      width_(width), height_(height) {
     // The camera's vectors are orthogonal, so the inverse of their matrix has the same directions.
     right_ = glm::dvec3(camera.right) * (focal_ / (right_length_ * right_length_));
     up_ = glm::dvec3(camera.up) * (focal_ / (up_length_ * up_length_));
@@ -73,4 +75,4 @@ double Projection::depth_at(int x, int y, double t) const {
     return t * focal_ / std::sqrt(focal_ * focal_ + u * u + v * v);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -14,7 +14,7 @@ struct PixelPoint {
 };
 
 class Projection {
-public:
+  public:
     Projection(const PinholeCamera& camera, int width, int height);
 
     /// Nothing where the point is not in front of the eye.
@@ -29,12 +29,12 @@ public:
     /// Depth along the viewing axis of the point at distance t on the camera's ray through the centre of a pixel.
     [[nodiscard]] double depth_at(int x, int y, double t) const;
 
-private:
-    glm::dvec3 to_camera(Vec3 point) const; // x, y in [-1, 1] times depth inside the picture; z = depth
+  private:
+    glm::dvec3 to_camera(Vec3 point) const;  // x, y in [-1, 1] times depth inside the picture; z = depth
 
-    glm::dvec3 eye_, right_, up_, forward_; // rows of the inverse of (right, up, forward)
+    glm::dvec3 eye_, right_, up_, forward_;  // rows of the inverse of (right, up, forward)
     double focal_, right_length_, up_length_;
     int width_, height_;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -40,7 +40,8 @@ void add_plane(const TreeNode& n, const Cell& cell, std::vector<WorldLine>& line
 
 void add_box(const Cell& cell, std::vector<WorldLine>& lines) {
     const auto corner = [&](unsigned i) {
-        return Vec3((i & 1) != 0 ? cell.box.upper.x : cell.box.lower.x, (i & 2) != 0 ? cell.box.upper.y : cell.box.lower.y,
+        return Vec3((i & 1) != 0 ? cell.box.upper.x : cell.box.lower.x,
+                    (i & 2) != 0 ? cell.box.upper.y : cell.box.lower.y,
                     (i & 4) != 0 ? cell.box.upper.z : cell.box.lower.z);
     };
     for (unsigned i = 0; i < 8; ++i) {
@@ -84,8 +85,8 @@ void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, st
     const Cell above = child_above(n, cell);
     const double enters_below = ray.entry(below.box);
     const double enters_above = ray.entry(above.box);
-    const bool below_first = enters_below < enters_above ||
-                             (enters_below == enters_above && ray.direction[n.flag] >= 0);
+    const bool below_first =
+        enters_below < enters_above || (enters_below == enters_above && ray.direction[n.flag] >= 0);
     const auto visit = [&](const Cell& child, double enters) {
         if (std::isfinite(enters)) walk_along_ray(tree, ray, child, lines);
     };
@@ -94,11 +95,11 @@ void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, st
     if (!below_first) visit(below, enters_below);
 }
 
-} // namespace
+}  // namespace
 
 std::vector<WorldLine> split_lines(const KdTree& tree, const OverlayConfig& config, std::size_t limit) {
     std::vector<WorldLine> lines;
-    std::deque<Cell> queue; // breadth first: shallow cells come first
+    std::deque<Cell> queue;  // breadth first: shallow cells come first
     if (!tree.bounds.empty()) queue.push_back({0, 0, tree.bounds});
     for (; !queue.empty(); queue.pop_front()) {
         const Cell cell = queue.front();
@@ -123,4 +124,4 @@ std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float
     return lines;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -16,7 +16,7 @@
 namespace kd {
 
 struct Font::Face {
-    std::vector<unsigned char> bytes; // `info` points into them
+    std::vector<unsigned char> bytes;  // `info` points into them
     stbtt_fontinfo info{};
 
     [[nodiscard]] float scale(float size) const { return stbtt_ScaleForMappingEmToPixels(&info, size); }
@@ -35,10 +35,10 @@ struct Font::Face {
 
 namespace {
 
-constexpr int dot_columns = 6; // five and a gap
+constexpr int dot_columns = 6;  // five and a gap
 
 /// Pixels per dot of the built-in letters.
-int dot_size(float size) { return std::max(1, int(std::lround(double(size) / 10.0))); }
+int dot_size(float size) { return std::max(1, int(std::lround(double(size) / 11.0))); }
 
 bool is_thin_space(char32_t code) { return code == U'\u2009' || code == U'\u202f'; }
 
@@ -62,7 +62,7 @@ void draw_dots(Image<Rgba8>& image, int x, int baseline, char32_t code, float si
     }
 }
 
-} // namespace
+}  // namespace
 
 void Font::Face::draw(Image<Rgba8>& image, float x, int baseline, char32_t code, float size, Rgba8 colour) const {
     const float factor = scale(size);
@@ -78,8 +78,8 @@ void Font::Face::draw(Image<Rgba8>& image, float x, int baseline, char32_t code,
     stbtt_GetCodepointBitmapBoxSubpixel(&info, int(code), factor, factor, shift, 0, &x0, &y0, &x1, &y1);
     if (x1 <= x0 || y1 <= y0) return;
     Image<unsigned char> coverage(x1 - x0, y1 - y0);
-    stbtt_MakeCodepointBitmapSubpixel(&info, coverage.pixels.data(), coverage.width, coverage.height, coverage.width, factor,
-                                      factor, shift, 0, int(code));
+    stbtt_MakeCodepointBitmapSubpixel(&info, coverage.pixels.data(), coverage.width, coverage.height, coverage.width,
+                                      factor, factor, shift, 0, int(code));
     for (int row = 0; row < coverage.height; ++row) {
         for (int i = 0; i < coverage.width; ++i) {
             blend_pixel(image, column + x0 + i, baseline + y0 + row, colour, float(coverage.at(i, row)) / 255.0f);
@@ -115,11 +115,14 @@ int Font::descent(float size) const {
     return int(std::ceil(-float(descent) * face_->scale(size)));
 }
 
-int Font::line_height(float size) const { return std::max(ascent(size) + descent(size), int(std::lround(double(size) * 1.3))); }
+int Font::line_height(float size) const {
+    return std::max(ascent(size) + descent(size), int(std::lround(double(size) * 1.3)));
+}
 
 float Font::width(std::string_view text, float size) const {
     float width = 0;
-    for (const char32_t code : decode_utf8(text)) width += face_ ? face_->advance(code, size) : float(dot_advance(code, size));
+    for (const char32_t code : decode_utf8(text))
+        width += face_ ? face_->advance(code, size) : float(dot_advance(code, size));
     return width;
 }
 
@@ -135,4 +138,4 @@ void Font::draw(Image<Rgba8>& image, float x, int baseline, std::string_view tex
     }
 }
 
-} // namespace kd
+}  // namespace kd

@@ -77,7 +77,7 @@ void wrap_paragraph(const Font& font, std::string_view text, float size, int wid
     lines.push_back(line);
 }
 
-} // namespace
+}  // namespace
 
 std::u32string decode_utf8(std::string_view text) {
     std::u32string codes;
@@ -96,4 +96,4 @@ std::vector<std::string> wrap_text(const Font& font, std::string_view text, floa
     }
 }
 
-} // namespace kd
+}  // namespace kd

@@ -15,4 +15,4 @@ struct ViewConfig {
     bool operator==(const ViewConfig&) const = default;
 };
 
-} // namespace kd
+}  // namespace kd

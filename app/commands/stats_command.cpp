@@ -35,7 +35,7 @@ struct GlProbe {
         try {
             context = Context::create(kind);
             tracer = std::make_unique<GlTracer>(*context);
-        } catch (const ContextError& error) { refused = error.what(); }
+        } catch (const std::runtime_error& error) { refused = error.what(); }
     }
 
     void measure(const FlatScene& scene, const KdTree& tree, const Session& session, Entry& entry) {
@@ -45,7 +45,7 @@ struct GlProbe {
             tracer->upload(scene, tree);
             tracer->prepare({.trace = session.trace}, session.width, session.height);
             entry.gl = tracer->memory();
-        } catch (const InputError& error) { entry.gl_refused = error.what(); }
+        } catch (const std::runtime_error& error) { entry.gl_refused = error.what(); }
     }
 
     std::unique_ptr<Context> context;

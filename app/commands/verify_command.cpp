@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
+#include <set>
 
 #include "app/commands/commands.h"
 #include "app/json_values.h"
@@ -81,8 +82,9 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     table.print(out);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
     for (const std::string& violation : report.violations) out << "bad tree: " << violation << '\n';
+    std::set<std::string> told;  // rows that fail on the same ray are told once
     for (const VerifyRow& row : report.rows)
-        if (!row.first_failure.empty())
+        if (!row.first_failure.empty() && told.insert(row.first_failure.substr(0, row.first_failure.find(": "))).second)
             out << fmt::format("first failure of {} {} {} on {} {}: {}\n", row.builder, row.traversal, row.leaf_lists,
                                row.tracer, row.context, row.first_failure);
     out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");

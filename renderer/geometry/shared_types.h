@@ -17,6 +17,7 @@
 #define AXIS(vector, axis) (&(vector).x)[axis] // glm's own [] branches on the index
 #define KD_FN [[gnu::always_inline]] inline
 #define KD_CONST(T) static constexpr T
+#define IS_NAN(x) ((x) != (x))
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)
 
 namespace kd {

@@ -64,6 +64,9 @@ FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key)
     if (key.bounces > 0) make_reflection_targets(gl);
 
     gl.Disable(GL_SCISSOR_TEST);
+    constexpr float far = 1.0f;
+    clear_framebuffer(gl, framebuffer(Pass::rt_prim), nullptr);
+    gl.ClearBufferfv(GL_DEPTH, 0, &far);
     clear(gl, no_colour);
     check_gl(gl, "making the targets of the passes");
 }
@@ -125,10 +128,6 @@ void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const 
 
 void FrameTargets::clear(const GlApi& gl, const std::array<float, 4>& background) const
 {
-    constexpr float far = 1.0f;
-    clear_framebuffer(gl, framebuffer(Pass::rt_prim), nullptr);
-    gl.DepthMask(GL_TRUE);
-    gl.ClearBufferfv(GL_DEPTH, 0, &far);
     clear_framebuffer(gl, framebuffer(Pass::shade_prim), background.data());
     if (key_.bounces == 0) return;
     for (int bounce = 0; bounce < key_.bounces; ++bounce) {

@@ -50,7 +50,8 @@ public:
     /// The hit of the first bounce.
     [[nodiscard]] GLuint first_reflection_hit() const;
 
-    /// Sets the scissored part to untraced, and its colour to `background` with alpha 1.
+    /// Before drawing: sets the scissored part to untraced, and its colour to `background`. RTPrim's own targets and
+    /// depth stay: it draws every pixel.
     void clear(const GlApi& gl, const std::array<float, 4>& background) const;
 
 private:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/gl/context.h"
+#include "renderer/gl/gl_error.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/frame.h"
@@ -44,10 +45,6 @@ struct GlMemory {
 };
 
 /// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
-struct GlError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 class GlTracer {
 public:
     explicit GlTracer(Context& context);
@@ -75,8 +72,9 @@ public:
 
     [[nodiscard]] GlMemory memory() const;
 
+    struct Impl; // renderer/gl/gl_tracer_impl.h
+
 private:
-    struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 

@@ -19,7 +19,7 @@ constexpr const char* version_line = "#version 430 core";
 /// The name in `#include "name"`, nothing for other lines.
 std::optional<std::string> included_name(const std::string& line)
 {
-    static const std::regex pattern(R"(^\s*#\s*include\s+"([^"]+)"\s*(//.*)?$)");
+    static const std::regex pattern(R"re(^\s*#\s*include\s+"([^"]+)"\s*(//.*)?$)re");
     std::smatch match;
     if (!std::regex_match(line, match, pattern)) return std::nullopt;
     return match[1];

@@ -7,8 +7,10 @@
 
 namespace kd {
 
-/// Loads a .gltf or .glb file. InputError: "file: JSON pointer: reason". What is skipped or replaced is told in
-/// Scene::notes.
+/// Loads the default scene of a .gltf or .glb file, in its static pose, with meshes, materials (mapped as
+/// renderer/io/gltf_surface.h says), base colour textures, the first perspective camera and punctual lights (scaled as
+/// renderer/io/gltf_view.h says). Files are opened only in the scene's own folder, and nothing is fetched.
+/// InputError: "file: JSON pointer: reason". What is skipped or replaced is told in Scene::notes.
 [[nodiscard]] Scene load_gltf(const std::filesystem::path& path);
 
 } // namespace kd

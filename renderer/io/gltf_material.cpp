@@ -49,7 +49,8 @@ MaterialUse GltfMaterials::add(int index) {
 
     scene_.materials.push_back(to_material(surface, texture.texture));
     scene_.material_names.push_back(index < 0 ? "default" : printable(material.name));
-    return {static_cast<int>(scene_.materials.size()) - 1, texture.texture < 0 ? -1 : texture.uv_set, texture.uv};
+    return {static_cast<int>(scene_.materials.size()) - 1, texture.texture < 0 ? -1 : texture.uv_set, texture.repeats,
+            texture.uv};
 }
 
 PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture) {
@@ -63,7 +64,7 @@ PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness&
             mean_colour(decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
         roughness *= double(mean.y);
         metallic *= double(mean.z);
-        context_.count("replaced", "metallic-roughness texture", " by its mean");
+        context_.count("replaced", "metallic-roughness texture", " by the mean of each");
     }
 
     texture = scene_texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
@@ -95,10 +96,10 @@ PbrSurface GltfMaterials::glossy_surface(const tinygltf::Value& extension, Textu
 void GltfMaterials::note_omissions(const tinygltf::Material& material) {
     const auto& emission = material.emissiveFactor;
     if (std::ranges::any_of(emission, [](double e) { return e != 0.0; })) {
-        context_.count("ignored the light that", "material", " give off");
+        context_.count("ignored the emission of", "material");
     }
     if (material.normalTexture.index >= 0) context_.count("ignored", "normal map");
-    if (material.alphaMode != "OPAQUE") context_.count("shown", "material", " as opaque that are not");
+    if (material.alphaMode != "OPAQUE") context_.count("shown", "transparent material", " as opaque");
 }
 
 /// The image behind a texture of the file; -1 where there is none, noted where there should be.
@@ -115,7 +116,7 @@ int GltfMaterials::image_of_texture(int texture) {
 GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, const tinygltf::Value* transform) {
     const int image = image_of_texture(texture);
     if (image < 0) return {};
-    TextureUse use{.texture = -1, .uv_set = uv_set, .uv = {}};
+    TextureUse use{.texture = -1, .uv_set = uv_set, .repeats = true, .uv = {}};
     const auto known = texture_of_image_.find(image);
     if (known != texture_of_image_.end()) {
         use.texture = known->second;
@@ -129,9 +130,7 @@ GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, 
     const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
     if (names_one_of(sampler, model_.samplers.size())) {
         const tinygltf::Sampler& wrap = model_.samplers[static_cast<std::size_t>(sampler)];
-        if (wrap.wrapS != TINYGLTF_TEXTURE_WRAP_REPEAT || wrap.wrapT != TINYGLTF_TEXTURE_WRAP_REPEAT) {
-            context_.count("repeated", "texture", " that should be clamped or mirrored beyond its edges");
-        }
+        use.repeats = wrap.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && wrap.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
     }
     if (transform != nullptr) {
         const std::vector<double> offset = numbers_or(*transform, "offset", {0.0, 0.0});

@@ -23,7 +23,8 @@ struct UvTransform {
 /// A material of the scene, and which texture coordinates its primitives must bring.
 struct MaterialUse {
     int material = 0;
-    int uv_set = -1; // n of TEXCOORD_n; -1 where it has no texture
+    int uv_set = -1;     // n of TEXCOORD_n; -1 where it has no texture
+    bool repeats = true; // the file wants it so beyond the edges of its texture; it is so in any case
     UvTransform uv;
 };
 
@@ -39,6 +40,7 @@ class GltfMaterials {
     struct TextureUse {
         int texture = -1; // of the scene
         int uv_set = 0;
+        bool repeats = true;
         UvTransform uv;
     };
     MaterialUse add(int index);

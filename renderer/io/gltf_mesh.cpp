@@ -1,6 +1,7 @@
 #include "renderer/io/gltf_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "renderer/io/gltf_accessor.h"
@@ -43,9 +44,10 @@ std::array<std::size_t, 3> corners(int mode, std::size_t i) {
 /// The elements of an accessor as vectors of so many components.
 template <class Vector>
 std::vector<Vector> read_vectors(const GltfContext& context, const tinygltf::Model& model, int accessor) {
-    static_assert(sizeof(Vector) == Vector::length() * sizeof(float));
+    constexpr auto length = std::size_t(Vector::length());
+    static_assert(sizeof(Vector) == length * sizeof(float));
     const std::vector<float> values = read_floats(context, model, accessor);
-    std::vector<Vector> vectors(values.size() / Vector::length());
+    std::vector<Vector> vectors(values.size() / length);
     if (!vectors.empty()) std::memcpy(vectors.data(), values.data(), vectors.size() * sizeof(Vector));
     return vectors;
 }
@@ -56,7 +58,7 @@ std::vector<Vector> read_companion(GltfContext& context, const tinygltf::Model& 
                                    std::size_t vertices, const char* noun) {
     if (accessor < 0) return {};
     const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
-    if (a.count != vertices || component_count(a) != Vector::length() || a.type == TINYGLTF_TYPE_MAT2) {
+    if (a.count != vertices || component_count(a) != std::size_t(Vector::length()) || a.type == TINYGLTF_TYPE_MAT2) {
         context.count("ignored the " + std::string(noun) + " of", "primitive", ", which do not fit its positions");
         return {};
     }
@@ -84,18 +86,38 @@ std::vector<std::uint32_t> triangle_indices(GltfContext& context, const tinygltf
     std::vector<std::uint32_t> indices;
     const std::uint64_t triangles = triangle_count(primitive.mode, count);
     indices.reserve(triangles * 3);
+    std::uint64_t dropped = 0;
     for (std::size_t i = 0; i < triangles; ++i) {
         std::array<std::uint32_t, 3> triangle{};
         std::ranges::transform(corners(primitive.mode, i), triangle.begin(), [&](std::size_t corner) {
             return indexed ? given[corner] : static_cast<std::uint32_t>(corner);
         });
         if (std::ranges::any_of(triangle, [&](std::uint32_t vertex) { return vertex >= vertices; })) {
-            context.count("dropped", "triangle", " with an index that names no vertex");
+            ++dropped;
         } else {
             indices.insert(indices.end(), triangle.begin(), triangle.end());
         }
     }
+    context.count("dropped", "triangle", " with an index that names no vertex", dropped);
     return indices;
+}
+
+/// Within half a thousandth of a texture's width, no clamping or mirroring shows.
+bool leaves_texture(Vec2 uv) {
+    const Vec2 beyond = glm::abs(uv - 0.5f);
+    return beyond.x > 0.5005f || beyond.y > 0.5005f;
+}
+
+std::vector<Vec2> read_uvs(GltfContext& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                           const MaterialUse& material, std::size_t vertices) {
+    const int accessor = attribute(primitive, "TEXCOORD_" + std::to_string(material.uv_set));
+    if (accessor < 0) context.count("found no texture coordinates in", "primitive", " with a texture");
+    std::vector<Vec2> uvs = read_companion<Vec2>(context, model, accessor, vertices, "texture coordinates");
+    for (Vec2& uv : uvs) uv = material.uv.apply(uv);
+    if (!material.repeats && std::ranges::any_of(uvs, leaves_texture)) {
+        context.count("repeated the texture of", "primitive", " beyond its edges, where it should be clamped or mirrored");
+    }
+    return uvs;
 }
 
 void note_omissions(GltfContext& context, const tinygltf::Primitive& primitive) {
@@ -113,13 +135,7 @@ Mesh convert(GltfContext& context, const tinygltf::Model& model, const tinygltf:
     const std::size_t vertices = mesh.positions.size();
     mesh.indices = triangle_indices(context, model, primitive, vertices);
     mesh.normals = read_companion<Vec3>(context, model, attribute(primitive, "NORMAL"), vertices, "normals");
-    if (material.uv_set >= 0) {
-        const int accessor = attribute(primitive, "TEXCOORD_" + std::to_string(material.uv_set));
-        mesh.texture_coordinates =
-            read_companion<Vec2>(context, model, accessor, vertices, "texture coordinates");
-        for (Vec2& uv : mesh.texture_coordinates) uv = material.uv.apply(uv);
-        if (accessor < 0) context.count("found no texture coordinates in", "primitive", " with a texture");
-    }
+    if (material.uv_set >= 0) mesh.texture_coordinates = read_uvs(context, model, primitive, material, vertices);
     note_omissions(context, primitive);
     return mesh;
 }

@@ -1,5 +1,7 @@
 #include "renderer/io/gltf_rules.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -16,6 +18,7 @@ enum class Kind {
     list,
     text,
     number,
+    element,     // name of an accessor's element type
     whole,       // 0, 1, 2, ...
     whole_31bit, // tinygltf keeps it in an int
     index,       // of an element of the top-level list `list`
@@ -29,6 +32,8 @@ struct Rule {
     std::string_view list = {};
     std::size_t length = 0;
 };
+
+constexpr std::array<const char*, 7> element_types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 
 constexpr bool required = true;
 constexpr bool optional = false;
@@ -87,7 +92,7 @@ constexpr Rule content_rules[] = {
     {"/accessors/*/byteOffset", Kind::whole},
     {"/accessors/*/componentType", Kind::whole_31bit, required},
     {"/accessors/*/count", Kind::whole, required},
-    {"/accessors/*/type", Kind::text, required},
+    {"/accessors/*/type", Kind::element, required},
     {"/accessors/*/sparse", Kind::object},
     {"/accessors/*/sparse/count", Kind::whole_31bit, required},
     {"/accessors/*/sparse/indices", Kind::object, required},
@@ -128,6 +133,9 @@ std::string complaint(const Rule& rule, const json& value, const json& gltf) {
         case Kind::list: return demand(value.is_array(), "must be a list");
         case Kind::text: return demand(value.is_string(), "must be text");
         case Kind::number: return demand(value.is_number(), "must be a number");
+        case Kind::element:
+            return demand(std::ranges::find(element_types, value) != element_types.end(),
+                          "must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
         case Kind::whole: return demand(value.is_number_unsigned(), "must be a whole number, 0 or more");
         case Kind::whole_31bit:
             return demand(value.is_number_unsigned() &&

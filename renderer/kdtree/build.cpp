@@ -21,7 +21,7 @@ constexpr std::array table{
 };
 
 void check_range(std::string_view name, double value, double least, double most) {
-    if (value >= least && value <= most) return; // false for NaN
+    if (value >= least && value <= most) return;  // false for NaN
     throw InputError(fmt::format("builder constant {} is {}: use a number from {} to {}", name, value, least, most));
 }
 
@@ -61,7 +61,7 @@ const Builder& named_builder(std::string_view name) {
     throw InputError(fmt::format("builder '{}' is unknown: use one of {}", name, known));
 }
 
-} // namespace
+}  // namespace
 
 std::span<const Builder> builders() { return table; }
 
@@ -93,4 +93,4 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     return tree;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -23,11 +23,11 @@ struct BuildConfig {
     /// The bonus is given only where the empty child is at least this fraction of the node's extent along the axis.
     float empty_bonus_gate = 0.1f;
     /// Nodes with at most this many triangles become leaves.
-    int leaf_size = 1;
+    int leaf_size = 2;
     /// 0 = 8 + 1.6 log2(N); never above max_tree_depth.
     int max_depth = 0;
     /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).
-    int bad_refines = 3;
+    int bad_refines = 0;
     /// The tree never holds more references than this many per triangle. Children share their parent's allowance in
     /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the scene
     /// starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
@@ -51,14 +51,14 @@ struct BuildTask {
     std::span<const Triangle> triangles;
     const BuildConfig& config;
     BuildReport& report;
-    const BuildProgress& progress; // may be empty
+    const BuildProgress& progress;  // may be empty
     std::stop_token stop;
 };
 
 struct Builder {
-    std::string_view name;    // "paper"
-    std::string_view title;   // "SAH as in the paper"
-    std::string_view summary; // one sentence
+    std::string_view name;     // "paper"
+    std::string_view title;    // "SAH as in the paper"
+    std::string_view summary;  // one sentence
     KdTree (*build)(const BuildTask&);
 };
 
@@ -68,10 +68,11 @@ struct Builder {
 /// Builds with the builder that `config` names; InputError for an unknown name, a constant out of range or a triangle
 /// that is not finite.
 /// A stop request ends the build early with a valid tree whose unfinished nodes are leaves.
-[[nodiscard]] KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report = nullptr,
-                                const BuildProgress& progress = {}, std::stop_token stop = {});
+[[nodiscard]] KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config,
+                                BuildReport* report = nullptr, const BuildProgress& progress = {},
+                                std::stop_token stop = {});
 
 /// Depth limit that a config means for n triangles.
 [[nodiscard]] int depth_limit(const BuildConfig& config, std::size_t n);
 
-} // namespace kd
+}  // namespace kd

@@ -42,7 +42,7 @@ class PaperSplitter : public Splitter {
     SweepEvents events_;
 };
 
-} // namespace
+}  // namespace
 
 KdTree build_paper(const BuildTask& task) {
     const TriangleRanges ranges(task.triangles);
@@ -50,4 +50,4 @@ KdTree build_paper(const BuildTask& task) {
     return grow_tree(task, ranges, splitter);
 }
 
-} // namespace kd
+}  // namespace kd

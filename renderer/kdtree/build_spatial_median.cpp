@@ -27,7 +27,7 @@ class MiddleSplitter : public Splitter {
     const BuildConfig& config_;
 };
 
-} // namespace
+}  // namespace
 
 KdTree build_spatial_median(const BuildTask& task) {
     const TriangleRanges ranges(task.triangles);
@@ -35,4 +35,4 @@ KdTree build_spatial_median(const BuildTask& task) {
     return grow_tree(task, ranges, splitter);
 }
 
-} // namespace kd
+}  // namespace kd

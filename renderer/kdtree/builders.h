@@ -8,4 +8,4 @@ namespace kd {
 [[nodiscard]] KdTree build_paper(const BuildTask& task);
 [[nodiscard]] KdTree build_spatial_median(const BuildTask& task);
 
-} // namespace kd
+}  // namespace kd

@@ -7,8 +7,7 @@ namespace kd {
 namespace {
 
 unsigned sides_of(AxisRange range, float position, unsigned planar_side) {
-    const unsigned sides =
-        (range.lower < position ? side_below : 0u) | (range.upper > position ? side_above : 0u);
+    const unsigned sides = (range.lower < position ? side_below : 0u) | (range.upper > position ? side_above : 0u);
     return sides != 0 ? sides : planar_side;
 }
 
@@ -18,7 +17,7 @@ std::vector<std::int32_t> all_numbers(std::size_t count) {
     return numbers;
 }
 
-} // namespace
+}  // namespace
 
 TriangleRanges::TriangleRanges(std::span<const Triangle> triangles) {
     for (auto& ranges : axis) ranges.reserve(triangles.size());
@@ -53,4 +52,4 @@ void CellLists::divide(const Split& split) {
     });
 }
 
-} // namespace kd
+}  // namespace kd

@@ -49,4 +49,4 @@ class CellLists {
     std::vector<std::uint8_t> sides_;
 };
 
-} // namespace kd
+}  // namespace kd

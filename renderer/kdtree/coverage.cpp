@@ -98,16 +98,16 @@ class Coverage {
     std::vector<Aabb> boxes_;
     std::vector<std::size_t> first_leaf_;
     std::vector<int> leaves_;
-    std::vector<int> marked_; // by node: the last triangle that stands there
+    std::vector<int> marked_;  // by node: the last triangle that stands there
     std::vector<int> stack_;
 };
 
-} // namespace
+}  // namespace
 
 // Separating axes of a triangle and a box: the box's three, the triangle's normal, and the nine products of their edges
 // (Akenine-Moeller, "Fast 3D Triangle-Box Overlap Testing", 2001), in double around the box's centre.
 bool surface_enters(const Triangle& triangle, const Aabb& box) {
-    constexpr double shrink = 1.0 - 1e-6; // so that touching a face is not entering
+    constexpr double shrink = 1.0 - 1e-6;  // so that touching a face is not entering
     const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
     const glm::dvec3 half = shrink * 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
     std::array<glm::dvec3, 3> corner;
@@ -133,4 +133,4 @@ void check_coverage(const KdTree& tree, std::span<const Triangle> triangles, Fin
     for (std::size_t t = 0; t < triangles.size() && !findings.full(); ++t) coverage.check(int(t), findings);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -12,4 +12,4 @@ namespace kd {
 /// Adds a finding for each triangle that a ray could miss. The tree's structure must be sound.
 void check_coverage(const KdTree& tree, std::span<const Triangle> triangles, Findings& findings);
 
-} // namespace kd
+}  // namespace kd

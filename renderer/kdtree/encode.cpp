@@ -21,13 +21,14 @@ float exact_float(std::size_t node, const char* what, std::int64_t number) {
 std::int32_t exact_integer(std::size_t node, const char* what, float number) {
     const float limit = float(float_index_limit);
     if (!(std::abs(number) <= limit) || number != std::trunc(number)) {
-        throw InputError(fmt::format("texel {}: {} {} is not a whole number within +-{}: the texture does not hold a tree",
-                                     node, what, number, float_index_limit));
+        throw InputError(
+            fmt::format("texel {}: {} {} is not a whole number within +-{}: the texture does not hold a tree", node,
+                        what, number, float_index_limit));
     }
     return std::int32_t(number);
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Vec4> encode_float4(const KdTree& tree) {
     std::vector<Vec4> texels;
@@ -51,12 +52,15 @@ KdTree decode_float4(const std::vector<Vec4>& texels, std::vector<std::int32_t> 
         TreeNode& node = tree.nodes.emplace_back();
         node.flag = exact_integer(i, "flag", texel.x);
         if (node.flag < 0 || node.flag > KD_LEAF) {
-            throw InputError(fmt::format("texel {}: flag {} is none of 0, 1, 2 (split axis) and 3 (leaf): the texture does "
-                                         "not hold a tree",
-                                         i, node.flag));
+            throw InputError(
+                fmt::format("texel {}: flag {} is none of 0, 1, 2 (split axis) and 3 (leaf): the texture does "
+                            "not hold a tree",
+                            i, node.flag));
         }
-        if (node.is_leaf()) node.count = exact_integer(i, "count", texel.y);
-        else node.split = texel.y;
+        if (node.is_leaf())
+            node.count = exact_integer(i, "count", texel.y);
+        else
+            node.split = texel.y;
         node.link = exact_integer(i, "link", texel.z);
         node.parent = exact_integer(i, "parent", texel.w);
     }
@@ -65,4 +69,4 @@ KdTree decode_float4(const std::vector<Vec4>& texels, std::vector<std::int32_t> 
     return tree;
 }
 
-} // namespace kd
+}  // namespace kd

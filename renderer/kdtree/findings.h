@@ -23,4 +23,4 @@ class Findings {
     std::vector<Violation> list_;
 };
 
-} // namespace kd
+}  // namespace kd

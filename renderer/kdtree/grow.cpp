@@ -1,5 +1,7 @@
 #include "renderer/kdtree/grow.h"
 
+#include <cassert>
+
 namespace kd {
 
 namespace {
@@ -11,14 +13,15 @@ struct Pending {
     bool is_above = false;
     int depth = 0;
     int bad_refines = 0;
-    std::int64_t allowance = 0; // references that its leaves may hold together
-    double work = 1.0;          // its share of the whole build
+    std::int64_t allowance = 0;  // references that its leaves may hold together
+    double work = 1.0;           // its share of the whole build
 };
 
 class Grower {
   public:
     Grower(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter)
-        : task_(task), splitter_(splitter), lists_(ranges), depth_limit_(depth_limit(task.config, task.triangles.size())) {
+        : task_(task), splitter_(splitter), lists_(ranges),
+          depth_limit_(depth_limit(task.config, task.triangles.size())) {
         tree_.nodes.clear();
         tree_.bounds = ranges.bounds;
         const double allowance = double(task.config.reference_cap) * double(task.triangles.size());
@@ -38,6 +41,7 @@ class Grower {
                 advance(at.work);
             }
         }
+        if (task_.progress) task_.progress(1.0f);
         return std::move(tree_);
     }
 
@@ -70,29 +74,31 @@ class Grower {
 
     void make_interior(int node, const Pending& at, const Split& split) {
         lists_.divide(split);
+        assert(int(lists_.top().size()) == split.below);
         splitter_.divided(split, lists_);
         tree_.nodes[std::size_t(node)].flag = split.axis;
         tree_.nodes[std::size_t(node)].split = split.position;
 
-        Pending child = at;
-        child.parent = node;
-        child.depth = at.depth + 1;
-        child.bad_refines = at.bad_refines + split.bad;
+        Pending below = at;
+        below.parent = node;
+        below.depth = at.depth + 1;
+        below.bad_refines = at.bad_refines + split.bad;
+        Pending above = below;
 
+        below.is_above = false;
+        below.cell.upper[split.axis] = split.position;
         const std::int64_t references = std::int64_t(split.below) + split.above;
-        child.is_above = true;
-        child.cell.lower[split.axis] = split.position;
-        child.allowance = at.allowance * split.above / references;
-        child.work = at.work * split.above / double(references);
-        pending_.push_back(child);
+        below.allowance = at.allowance * split.below / references;
+        below.work = at.work * split.below / double(references);
+
+        above.is_above = true;
+        above.cell.lower[split.axis] = split.position;
+        above.allowance = at.allowance - below.allowance;
+        above.work = at.work - below.work;
 
         // Last in, first out: the child below becomes the next node.
-        child.is_above = false;
-        child.cell = at.cell;
-        child.cell.upper[split.axis] = split.position;
-        child.allowance = at.allowance * split.below / references;
-        child.work = at.work * split.below / double(references);
-        pending_.push_back(child);
+        pending_.push_back(above);
+        pending_.push_back(below);
     }
 
     void make_leaf(int node, const Pending& at) {
@@ -124,7 +130,7 @@ class Grower {
     double next_told_ = 0.01;
 };
 
-} // namespace
+}  // namespace
 
 KdTree grow_tree(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter) {
     return Grower(task, ranges, splitter).run();
@@ -139,4 +145,4 @@ int longest_axis(const Aabb& box) {
     return axis;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -31,4 +31,4 @@ class Splitter {
 /// Axis along which the box is longest; the first of equals.
 [[nodiscard]] int longest_axis(const Aabb& box);
 
-} // namespace kd
+}  // namespace kd

@@ -52,7 +52,7 @@ class ListStack {
   private:
     std::vector<T> items_;
     std::vector<std::size_t> begins_{0};
-    std::vector<T> below_; // room for one list
+    std::vector<T> below_;  // room for one list
 };
 
-} // namespace kd
+}  // namespace kd

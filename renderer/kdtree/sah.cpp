@@ -51,4 +51,4 @@ std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb&
     return best;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -30,9 +30,9 @@ class SplitCost {
 
   private:
     double lower_, upper_;
-    double cap_;  // share of a child's two faces across the axis in the cell's surface area
-    double rim_;  // share of its other four faces, per unit of width
-    double gate_; // least width of an empty side that earns the bonus
+    double cap_;   // share of a child's two faces across the axis in the cell's surface area
+    double rim_;   // share of its other four faces, per unit of width
+    double gate_;  // least width of an empty side that earns the bonus
     double traversal_, intersection_, intersection_empty_;
 };
 
@@ -46,4 +46,4 @@ struct PricedSplit : Split {
 [[nodiscard]] std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis,
                                                         int triangles, std::span<const SweepEvent> events);
 
-} // namespace kd
+}  // namespace kd

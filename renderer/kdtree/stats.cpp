@@ -6,7 +6,7 @@ namespace kd {
 
 namespace {
 
-constexpr int leaf_size_limit = 32; // the histogram's last entry where larger leaves exist
+constexpr int leaf_size_limit = 32;  // the histogram's last entry where larger leaves exist
 
 void count_nodes(TreeStats& stats, const KdTree& tree) {
     const std::vector<int> depths = node_depths(tree);
@@ -45,7 +45,7 @@ void expect_visits(TreeStats& stats, const KdTree& tree) {
     }
 }
 
-} // namespace
+}  // namespace
 
 TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const BuildConfig& costs) {
     TreeStats stats;
@@ -57,10 +57,10 @@ TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const Build
     stats.sah_cost = double(costs.traversal_cost) * stats.expected_interior_visits +
                      double(costs.intersection_cost) * stats.expected_triangle_tests;
     stats.node_bytes = stats.nodes * std::int64_t(sizeof(TreeNode));
-    stats.reference_list_bytes = stats.references * std::int64_t(sizeof(std::int32_t)) +
-                                 stats.triangles * std::int64_t(sizeof(Triangle));
+    stats.reference_list_bytes =
+        stats.references * std::int64_t(sizeof(std::int32_t)) + stats.triangles * std::int64_t(sizeof(Triangle));
     stats.duplicated_list_bytes = stats.references * std::int64_t(sizeof(Triangle));
     return stats;
 }
 
-} // namespace kd
+}  // namespace kd

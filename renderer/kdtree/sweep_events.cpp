@@ -23,7 +23,7 @@ std::vector<SweepEvent> sorted_events(const TriangleRanges& ranges, int axis, co
     return events;
 }
 
-} // namespace
+}  // namespace
 
 SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop)
     : lists_{ListStack(sorted_events(ranges, 0, stop)), ListStack(sorted_events(ranges, 1, stop)),
@@ -49,4 +49,4 @@ void SweepEvents::drop() {
     for (auto& list : lists_) list.drop();
 }
 
-} // namespace kd
+}  // namespace kd

@@ -12,7 +12,7 @@ struct SweepEvent {
     enum Kind : std::uint32_t { end, planar, start };
 
     float position = 0.0f;
-    std::uint32_t key = 0; // triangle number * 4 + kind
+    std::uint32_t key = 0;  // triangle number * 4 + kind
 
     [[nodiscard]] Kind kind() const { return Kind(key & 3u); }
     [[nodiscard]] std::uint32_t triangle() const { return key >> 2; }
@@ -43,4 +43,4 @@ class SweepEvents {
     std::array<ListStack<SweepEvent>, 3> lists_;
 };
 
-} // namespace kd
+}  // namespace kd

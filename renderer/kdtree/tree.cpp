@@ -32,4 +32,4 @@ std::vector<Triangle> duplicated_leaf_triangles(const KdTree& tree, const std::v
     return copies;
 }
 
-} // namespace kd
+}  // namespace kd

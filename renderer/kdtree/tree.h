@@ -14,19 +14,19 @@ inline constexpr int max_tree_depth = 64;
 /// 16 bytes, the paper's layout (its section 2.3.1) with integers in place of floats. The child below the split is the
 /// next node.
 struct TreeNode {
-    std::int32_t flag = KD_LEAF; // split axis 0, 1, 2, or KD_LEAF
+    std::int32_t flag = KD_LEAF;  // split axis 0, 1, 2, or KD_LEAF
     union {
-        float split;        // interior: plane position
-        std::int32_t count; // leaf: number of references
+        float split;         // interior: plane position
+        std::int32_t count;  // leaf: number of references
     };
-    std::int32_t link = 0;    // interior: child above; leaf: first entry in KdTree::references
-    std::int32_t parent = -1; // -1 at the root
+    std::int32_t link = 0;     // interior: child above; leaf: first entry in KdTree::references
+    std::int32_t parent = -1;  // -1 at the root
 
     TreeNode() : count(0) {}
     [[nodiscard]] bool is_leaf() const { return flag == KD_LEAF; }
-    bool operator==(const TreeNode& o) const
-    {
-        return flag == o.flag && link == o.link && parent == o.parent && (is_leaf() ? count == o.count : split == o.split);
+    bool operator==(const TreeNode& o) const {
+        return flag == o.flag && link == o.link && parent == o.parent &&
+               (is_leaf() ? count == o.count : split == o.split);
     }
 };
 static_assert(sizeof(TreeNode) == 16);
@@ -34,8 +34,8 @@ static_assert(sizeof(TreeNode) == 16);
 /// Nodes in depth-first order, root first, never empty. Triangles touching a plane may stand in several leaves.
 struct KdTree {
     std::vector<TreeNode> nodes{TreeNode{}};
-    std::vector<std::int32_t> references; // triangle numbers, leaf by leaf
-    Aabb bounds;                          // of all triangles
+    std::vector<std::int32_t> references;  // triangle numbers, leaf by leaf
+    Aabb bounds;                           // of all triangles
 
     bool operator==(const KdTree&) const = default;
 };
@@ -49,6 +49,7 @@ struct KdTree {
 [[nodiscard]] std::vector<int> node_depths(const KdTree& tree);
 
 /// The leaf lists as the paper stores them: three vertices per reference, in reference order.
-[[nodiscard]] std::vector<Triangle> duplicated_leaf_triangles(const KdTree& tree, const std::vector<Triangle>& triangles);
+[[nodiscard]] std::vector<Triangle> duplicated_leaf_triangles(const KdTree& tree,
+                                                              const std::vector<Triangle>& triangles);
 
-} // namespace kd
+}  // namespace kd

@@ -64,8 +64,8 @@ class Walk {
         }
         reached_[std::size_t(at.node)] = true;
         if (at.is_above && at.node != last_ + 1) {
-            findings_.add(at.parent, fmt::format("link to the child above is {}, depth-first order asks for {}", at.node,
-                                                 last_ + 1));
+            findings_.add(at.parent, fmt::format("link to the child above is {}, depth-first order asks for {}",
+                                                 at.node, last_ + 1));
         }
         last_ = at.node;
 
@@ -76,9 +76,12 @@ class Walk {
         if (at.depth > max_tree_depth) {
             findings_.add(at.node, fmt::format("stands at depth {}, beyond {}", at.depth, max_tree_depth));
         }
-        if (node.is_leaf()) check_leaf(at, node);
-        else if (node.flag >= 0 && node.flag <= 2) check_interior(at, node);
-        else findings_.add(at.node, fmt::format("flag {} is none of 0, 1, 2 (split axis) and 3 (leaf)", node.flag));
+        if (node.is_leaf())
+            check_leaf(at, node);
+        else if (node.flag >= 0 && node.flag <= 2)
+            check_interior(at, node);
+        else
+            findings_.add(at.node, fmt::format("flag {} is none of 0, 1, 2 (split axis) and 3 (leaf)", node.flag));
     }
 
     void check_interior(const Visit& at, const TreeNode& node) {
@@ -93,11 +96,15 @@ class Walk {
             findings_.add(at.node, fmt::format("split at {} is not strictly inside its cell, {} to {} on axis {}",
                                                node.split, lower, upper, node.flag));
         }
-        if (node.link > at.node + 1 && node.link < node_count()) pending_.push_back(above);
-        else findings_.add(at.node, fmt::format("link to the child above is {}, outside {}..{}", node.link, at.node + 2,
-                                                node_count() - 1));
-        if (at.node + 1 < node_count()) pending_.push_back(below);
-        else findings_.add(at.node, "child below is missing: the last node must be a leaf");
+        if (node.link > at.node + 1 && node.link < node_count())
+            pending_.push_back(above);
+        else
+            findings_.add(at.node, fmt::format("link to the child above is {}, outside {}..{}", node.link, at.node + 2,
+                                               node_count() - 1));
+        if (at.node + 1 < node_count())
+            pending_.push_back(below);
+        else
+            findings_.add(at.node, "child below is missing: the last node must be a leaf");
     }
 
     void check_leaf(const Visit& at, const TreeNode& leaf) {
@@ -154,7 +161,7 @@ void check_bounds(const KdTree& tree, std::span<const Triangle> triangles, Findi
     }
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Violation> validate(const KdTree& tree, std::span<const Triangle> triangles, std::size_t limit) {
     Findings findings(limit);
@@ -164,4 +171,4 @@ std::vector<Violation> validate(const KdTree& tree, std::span<const Triangle> tr
     return findings.take();
 }
 
-} // namespace kd
+}  // namespace kd

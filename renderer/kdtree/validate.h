@@ -10,7 +10,7 @@
 namespace kd {
 
 struct Violation {
-    int node; // -1 where none applies
+    int node;  // -1 where none applies
     std::string message;
 };
 
@@ -25,6 +25,7 @@ struct Violation {
 /// - each corner of each triangle lies in the closed cell of a leaf that names the triangle;
 /// - a leaf names every triangle whose surface passes through the inside of its cell (of a flat cell: touches it).
 /// Stops after `limit` findings.
-[[nodiscard]] std::vector<Violation> validate(const KdTree& tree, std::span<const Triangle> triangles, std::size_t limit = 20);
+[[nodiscard]] std::vector<Violation> validate(const KdTree& tree, std::span<const Triangle> triangles,
+                                              std::size_t limit = 20);
 
-} // namespace kd
+}  // namespace kd

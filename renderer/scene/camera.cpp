@@ -11,29 +11,26 @@ namespace kd {
 
 namespace {
 
-bool is_finite(Vec3 v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// `up`, or where it is zero or parallel to the view a replacement: the y axis, or the z axis for views along y, with -z
 /// at the top of the image when looking down.
-glm::dvec3 usable_up(glm::dvec3 forward, glm::dvec3 up)
-{
+glm::dvec3 usable_up(glm::dvec3 forward, glm::dvec3 up) {
     const double length = glm::length(up);
     if (length > 0.0 && glm::length(glm::cross(forward, up / length)) > 1e-6) return up;
     if (std::abs(forward.y) > 0.9) return {0.0, 0.0, forward.y > 0.0 ? 1.0 : -1.0};
     return {0.0, 1.0, 0.0};
 }
 
-} // namespace
+}  // namespace
 
-PinholeCamera pinhole(const Camera& camera, int width, int height)
-{
+PinholeCamera pinhole(const Camera& camera, int width, int height) {
     if (!is_valid(camera))
-        throw InputError("camera: eye, target or angle cannot be used; give finite points that differ and an angle above 0 "
-                         "and up to 179.9 degrees");
-    if (width < 1 || height < 1) throw InputError("camera: the image has no pixels; give a width and height of at least 1");
+        throw InputError(
+            "camera: eye, target or angle cannot be used; give finite points that differ and an angle above 0 "
+            "and up to 179.9 degrees");
+    if (width < 1 || height < 1)
+        throw InputError("camera: the image has no pixels; give a width and height of at least 1");
 
     const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     const glm::dvec3 right = glm::normalize(glm::cross(forward, usable_up(forward, glm::dvec3(camera.up))));
@@ -43,8 +40,7 @@ PinholeCamera pinhole(const Camera& camera, int width, int height)
     return {camera.eye, Vec3(right * half_width), Vec3(up * half_height), Vec3(forward)};
 }
 
-Camera fit_camera(const Aabb& bounds)
-{
+Camera fit_camera(const Aabb& bounds) {
     Camera camera;
     if (bounds.empty()) return camera;
 
@@ -66,10 +62,9 @@ Camera fit_camera(const Aabb& bounds)
     return camera;
 }
 
-bool is_valid(const Camera& camera)
-{
+bool is_valid(const Camera& camera) {
     return is_finite(camera.eye) && is_finite(camera.target) && is_finite(camera.up) && camera.eye != camera.target &&
            camera.fov_y_degrees > 0.0f && camera.fov_y_degrees <= 179.9f;
 }
 
-} // namespace kd
+}  // namespace kd

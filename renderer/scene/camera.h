@@ -9,7 +9,7 @@ struct Camera {
     Vec3 eye{0.0f, 0.0f, 3.0f};
     Vec3 target{0.0f};
     Vec3 up{0.0f, 1.0f, 0.0f};
-    float fov_y_degrees = 45.0f; // full vertical angle, in (0, 180)
+    float fov_y_degrees = 45.0f;  // full vertical angle, in (0, 180)
 
     bool operator==(const Camera&) const = default;
 };
@@ -25,4 +25,4 @@ struct Camera {
 /// True where all is finite, eye and target differ and the angle is in (0, 179.9].
 [[nodiscard]] bool is_valid(const Camera& camera);
 
-} // namespace kd
+}  // namespace kd

@@ -6,8 +6,7 @@
 
 namespace kd {
 
-void add_patch(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v, int columns, int rows)
-{
+void add_patch(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v, int columns, int rows) {
     const auto first = std::uint32_t(mesh.positions.size());
     const auto stride = std::uint32_t(columns + 1);
     for (int row = 0; row <= rows; ++row) {
@@ -26,8 +25,7 @@ void add_patch(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v, int columns, int rows)
     }
 }
 
-void add_box(Mesh& mesh, const BoxShape& shape)
-{
+void add_box(Mesh& mesh, const BoxShape& shape) {
     const glm::dvec3 centre = 0.5 * (glm::dvec3(shape.lower) + glm::dvec3(shape.upper));
     const glm::dvec3 half = 0.5 * (glm::dvec3(shape.upper) - glm::dvec3(shape.lower));
     const double angle = glm::radians(shape.turn_degrees);
@@ -40,7 +38,7 @@ void add_box(Mesh& mesh, const BoxShape& shape)
         BoxFace name;
         glm::dvec3 out, u, v;
     };
-    const Face faces[] = {{box_left, -x, z, y}, {box_right, x, -z, y},  {box_bottom, -y, x, z},
+    const Face faces[] = {{box_left, -x, z, y}, {box_right, x, -z, y}, {box_bottom, -y, x, z},
                           {box_top, y, x, -z},  {box_back, -z, -x, y}, {box_front, z, x, y}};
     for (Face face : faces) {
         if ((shape.faces & face.name) == 0) continue;
@@ -50,4 +48,4 @@ void add_box(Mesh& mesh, const BoxShape& shape)
     }
 }
 
-} // namespace kd
+}  // namespace kd

@@ -18,11 +18,11 @@ struct BoxShape {
     Vec3 lower{0.0f};
     Vec3 upper{1.0f};
     double turn_degrees = 0.0;
-    int cells = 1;              // along each edge of each face
+    int cells = 1;  // along each edge of each face
     bool seen_from_inside = false;
     unsigned faces = all_box_faces;
 };
 
 void add_box(Mesh& mesh, const BoxShape& shape);
 
-} // namespace kd
+}  // namespace kd

@@ -13,8 +13,7 @@ struct MaterialUse {
     float largest_reflectance = 0.0f;
 };
 
-MaterialUse used_materials(const FlatScene& scene)
-{
+MaterialUse used_materials(const FlatScene& scene) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const TriangleAttributes& attributes : scene.attributes) used[std::size_t(attributes.material)] = true;
     MaterialUse use;
@@ -30,8 +29,7 @@ MaterialUse used_materials(const FlatScene& scene)
 
 /// Bounces after which no path can count any more: reflection_counts() of shaders/shared/passes.glsl for a path that meets
 /// nothing but the most reflective material. Rounded products keep their order, so no path counts for longer.
-int countable_bounces(float largest_reflectance, const TraceConfig& config)
-{
+int countable_bounces(float largest_reflectance, const TraceConfig& config) {
     int bounces = 0;
     float weight = largest_reflectance;
     while (bounces < config.reflection_depth && weight > 0.0f && weight >= config.least_contribution) {
@@ -41,17 +39,15 @@ int countable_bounces(float largest_reflectance, const TraceConfig& config)
     return bounces;
 }
 
-std::string why_no_reflection(const FlatScene& scene, const TraceConfig& config)
-{
+std::string why_no_reflection(const FlatScene& scene, const TraceConfig& config) {
     if (config.reflection_depth <= 0) return "switched off";
     if (!(used_materials(scene).largest_reflectance > 0.0f)) return "no reflective material";
     return fmt::format("no material reflects as much as the least contribution of {}", config.least_contribution);
 }
 
-} // namespace
+}  // namespace
 
-SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config)
-{
+SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config) {
     const MaterialUse use = used_materials(scene);
     SceneNeeds needs;
     needs.textures = use.textured;
@@ -62,14 +58,14 @@ SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config)
     return needs;
 }
 
-std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene, const TraceConfig& config)
-{
+std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene, const TraceConfig& config) {
     std::vector<std::string> lines;
     if (!needs.reflections) {
         lines.push_back("RTRefl, ShadeRefl: " + why_no_reflection(scene, config));
     } else if (needs.bounces < config.reflection_depth) {
-        lines.push_back(fmt::format("RTRefl, ShadeRefl after bounce {}: no path can still reach the least contribution of {}",
-                                    needs.bounces, config.least_contribution));
+        lines.push_back(
+            fmt::format("RTRefl, ShadeRefl after bounce {}: no path can still reach the least contribution of {}",
+                        needs.bounces, config.least_contribution));
     }
     if (!needs.textures) lines.emplace_back("texture fetch: no textured material");
     if (!needs.normals) lines.emplace_back("interpolated normals: all normals are flat");
@@ -77,4 +73,4 @@ std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scen
     return lines;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -13,7 +13,7 @@ struct SceneNeeds {
     bool textures = false;
     bool normals = false;
     bool shadows = false;
-    bool reflections = false; // RTRefl and ShadeRefl run
+    bool reflections = false;  // RTRefl and ShadeRefl run
     int bounces = 0;
 
     bool operator==(const SceneNeeds&) const = default;
@@ -22,6 +22,7 @@ struct SceneNeeds {
 [[nodiscard]] SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config);
 
 /// One line each: what is left out and why ("RTRefl, ShadeRefl: no reflective material").
-[[nodiscard]] std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene, const TraceConfig& config);
+[[nodiscard]] std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene,
+                                                const TraceConfig& config);
 
-} // namespace kd
+}  // namespace kd

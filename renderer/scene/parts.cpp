@@ -5,13 +5,9 @@
 
 namespace kd {
 
-Material matte(Vec3 colour)
-{
-    return glossy(colour, 0.0f, 1.0f);
-}
+Material matte(Vec3 colour) { return glossy(colour, 0.0f, 1.0f); }
 
-Material glossy(Vec3 colour, float specular, float shininess)
-{
+Material glossy(Vec3 colour, float specular, float shininess) {
     Material material{};
     material.diffuse = colour;
     material.specular = Vec3(specular);
@@ -21,8 +17,7 @@ Material glossy(Vec3 colour, float specular, float shininess)
     return material;
 }
 
-Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation)
-{
+Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation) {
     Light light{};
     light.kind = KD_LIGHT_POINT;
     light.position = position;
@@ -35,13 +30,9 @@ Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation)
     return light;
 }
 
-Material default_material()
-{
-    return matte(Vec3(0.7f));
-}
+Material default_material() { return matte(Vec3(0.7f)); }
 
-Light default_light(const Camera& camera)
-{
+Light default_light(const Camera& camera) {
     const PinholeCamera view = pinhole(camera, 1, 1);
     const double distance = glm::length(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     const glm::dvec3 right = glm::normalize(glm::dvec3(view.right));
@@ -49,8 +40,7 @@ Light default_light(const Camera& camera)
     return point_light(Vec3(glm::dvec3(camera.eye) + distance * (0.2 * right + 0.3 * up)), Vec3(0.8f));
 }
 
-void place(Scene& scene, Mesh mesh, const Material& material)
-{
+void place(Scene& scene, Mesh mesh, const Material& material) {
     mesh.material = int(scene.materials.size());
     scene.materials.push_back(material);
     scene.material_names.push_back(mesh.name);
@@ -58,4 +48,4 @@ void place(Scene& scene, Mesh mesh, const Material& material)
     scene.meshes.push_back(std::move(mesh));
 }
 
-} // namespace kd
+}  // namespace kd

@@ -26,4 +26,4 @@ namespace kd {
 /// Adds the mesh with a material of its own, called as the mesh is, where it stands.
 void place(Scene& scene, Mesh mesh, const Material& material);
 
-} // namespace kd
+}  // namespace kd

@@ -12,8 +12,7 @@ namespace kd {
 namespace {
 
 /// The size in `text`, what stands after ':' in `name`.
-int parse_size(std::string_view name, std::string_view text, const ProceduralScene& entry)
-{
+int parse_size(std::string_view name, std::string_view text, const ProceduralScene& entry) {
     const std::string remedy = fmt::format("try {}:{}", entry.name, entry.default_size);
     if (text.empty()) throw InputError(fmt::format("{}: size is missing; {}", name, remedy));
     int size = 0;
@@ -26,18 +25,16 @@ int parse_size(std::string_view name, std::string_view text, const ProceduralSce
     return size;
 }
 
-} // namespace
+}  // namespace
 
-std::span<const ProceduralScene> procedural_scenes()
-{
+std::span<const ProceduralScene> procedural_scenes() {
 #define KD_LIST_SCENE(name) name##_scene(),
     static const ProceduralScene table[] = {KD_PROCEDURAL_SCENES(KD_LIST_SCENE)};
 #undef KD_LIST_SCENE
     return table;
 }
 
-std::optional<Scene> make_procedural(std::string_view name, unsigned seed)
-{
+std::optional<Scene> make_procedural(std::string_view name, unsigned seed) {
     const std::size_t colon = name.find(':');
     const auto entry = std::ranges::find(procedural_scenes(), name.substr(0, colon), &ProceduralScene::name);
     if (entry == procedural_scenes().end()) return std::nullopt;
@@ -53,4 +50,4 @@ std::optional<Scene> make_procedural(std::string_view name, unsigned seed)
     return scene;
 }
 
-} // namespace kd
+}  // namespace kd

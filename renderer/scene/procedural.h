@@ -12,11 +12,11 @@
 namespace kd {
 
 struct ProceduralScene {
-    std::string_view name;    // "ball"
-    int default_size;         // N where none is given; 0 = the scene takes no size
-    int smallest_size;        // N must lie in smallest_size..largest_size
+    std::string_view name;  // "ball"
+    int default_size;       // N where none is given; 0 = the scene takes no size
+    int smallest_size;      // N must lie in smallest_size..largest_size
     int largest_size;
-    std::string_view summary; // one sentence
+    std::string_view summary;  // one sentence
     Scene (*make)(int size, unsigned seed);
 };
 
@@ -27,4 +27,4 @@ struct ProceduralScene {
 /// Throws InputError for a size that is missing, not a number or out of range.
 [[nodiscard]] std::optional<Scene> make_procedural(std::string_view name, unsigned seed = 1);
 
-} // namespace kd
+}  // namespace kd

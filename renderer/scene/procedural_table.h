@@ -18,4 +18,4 @@ namespace kd {
 KD_PROCEDURAL_SCENES(KD_DECLARE_SCENE)
 #undef KD_DECLARE_SCENE
 
-} // namespace kd
+}  // namespace kd

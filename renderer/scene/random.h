@@ -7,11 +7,10 @@ namespace kd {
 
 /// SplitMix64 (Steele, Lea, Flood: "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
 class Random {
-public:
+  public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    std::uint64_t next()
-    {
+    std::uint64_t next() {
         state_ += 0x9e3779b97f4a7c15u;
         std::uint64_t z = state_;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -25,8 +24,8 @@ public:
     /// In [low, high).
     double between(double low, double high) { return low + (high - low) * unit(); }
 
-private:
+  private:
     std::uint64_t state_;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "renderer/scene/parts.h"
 #include "renderer/scene/scene_check.h"
@@ -23,12 +25,11 @@ struct Tally {
 struct Placement {
     glm::dmat3 linear;
     glm::dvec3 translation;
-    glm::dmat3 cofactors;  // maps cross products: cofactors * (a x b) = (linear * a) x (linear * b)
-    double handedness = 1; // -1 for a mirror image
+    glm::dmat3 cofactors;   // maps cross products: cofactors * (a x b) = (linear * a) x (linear * b)
+    double handedness = 1;  // -1 for a mirror image
 };
 
-Placement placement_of(const glm::mat4& to_world)
-{
+Placement placement_of(const glm::mat4& to_world) {
     Placement p;
     p.linear = glm::dmat3(glm::dvec3(to_world[0]), glm::dvec3(to_world[1]), glm::dvec3(to_world[2]));
     p.translation = glm::dvec3(to_world[3]);
@@ -38,8 +39,7 @@ Placement placement_of(const glm::mat4& to_world)
     return p;
 }
 
-bool within_limit(Vec3 point)
-{
+bool within_limit(Vec3 point) {
     // Written so that NaN fails.
     return std::abs(point.x) <= KD_COORDINATE_LIMIT && std::abs(point.y) <= KD_COORDINATE_LIMIT &&
            std::abs(point.z) <= KD_COORDINATE_LIMIT;
@@ -47,31 +47,26 @@ bool within_limit(Vec3 point)
 
 /// Twice the area times the normal. In double, where differences and products of floats of similar size are exact:
 /// corners on one line give exactly zero.
-glm::dvec3 area_vector(Vec3 a, Vec3 b, Vec3 c)
-{
+glm::dvec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {
     return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
 }
 
-bool is_zero(glm::dvec3 v)
-{
-    return glm::dot(v, v) == 0.0;
-}
+bool is_zero(glm::dvec3 v) { return glm::dot(v, v) == 0.0; }
 
 /// Unit normals that differ by more than 1e-4 radians.
-bool differ_noticeably(glm::dvec3 a, glm::dvec3 b)
-{
+bool differ_noticeably(glm::dvec3 a, glm::dvec3 b) {
     return glm::dot(a, b) < 0.0 || glm::length(glm::cross(a, b)) > 1e-4;
 }
 
 class Flattener {
-public:
+  public:
     explicit Flattener(FlatScene& flat) : flat_(flat) {}
 
-    void add_instance(const Mesh& mesh, const glm::mat4& to_world)
-    {
+    void add_instance(const Mesh& mesh, const glm::mat4& to_world) {
         const Placement placement = placement_of(to_world);
         for (std::size_t first = 0; first < mesh.indices.size(); first += 3) {
-            std::array<std::uint32_t, 3> vertices{mesh.indices[first], mesh.indices[first + 1], mesh.indices[first + 2]};
+            std::array<std::uint32_t, 3> vertices{mesh.indices[first], mesh.indices[first + 1],
+                                                  mesh.indices[first + 2]};
             // A mirror image would turn the triangle's outside in.
             if (placement.handedness < 0.0) std::swap(vertices[1], vertices[2]);
             add_triangle(mesh, placement, vertices);
@@ -80,9 +75,8 @@ public:
 
     [[nodiscard]] const Tally& tally() const { return tally_; }
 
-private:
-    void add_triangle(const Mesh& mesh, const Placement& placement, const std::array<std::uint32_t, 3>& vertices)
-    {
+  private:
+    void add_triangle(const Mesh& mesh, const Placement& placement, const std::array<std::uint32_t, 3>& vertices) {
         std::array<Vec3, 3> local;
         Triangle world;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -105,8 +99,7 @@ private:
     }
 
     TriangleAttributes attributes_of(const Mesh& mesh, const Placement& placement,
-                                     const std::array<std::uint32_t, 3>& vertices, glm::dvec3 geometric)
-    {
+                                     const std::array<std::uint32_t, 3>& vertices, glm::dvec3 geometric) {
         TriangleAttributes attributes{};
         attributes.material = mesh.material;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -119,8 +112,7 @@ private:
     }
 
     /// By the inverse transpose, which is the cofactors over the determinant; only its sign matters to a unit vector.
-    Vec3 world_normal(const Placement& placement, Vec3 normal, glm::dvec3 geometric)
-    {
+    Vec3 world_normal(const Placement& placement, Vec3 normal, glm::dvec3 geometric) {
         const glm::dvec3 turned = placement.handedness * (placement.cofactors * glm::dvec3(normal));
         const double length = glm::length(turned);
         if (!(length > 0.0) || !std::isfinite(length)) {
@@ -132,8 +124,7 @@ private:
         return Vec3(unit);
     }
 
-    Vec2 usable(Vec2 uv)
-    {
+    Vec2 usable(Vec2 uv) {
         if (std::isfinite(uv.x) && std::isfinite(uv.y)) return uv;
         ++tally_.texture_coordinates;
         return Vec2(0.0f);
@@ -143,27 +134,23 @@ private:
     Tally tally_;
 };
 
-bool is_finite(Vec3 v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-bool is_usable(const Light& light)
-{
+bool is_usable(const Light& light) {
     return is_finite(light.position) && is_finite(light.direction) && is_finite(light.colour) &&
            std::isfinite(light.attenuation.x) && std::isfinite(light.attenuation.y) && std::isfinite(light.range) &&
            std::isfinite(light.cos_inner) && std::isfinite(light.cos_outer);
 }
 
 /// Lights and camera, with replacements where the scene has none that can be used.
-void add_view(const Scene& scene, FlatScene& flat, Tally& tally)
-{
+void add_view(const Scene& scene, FlatScene& flat, Tally& tally) {
     if (scene.camera && is_valid(*scene.camera)) {
         flat.camera = *scene.camera;
     } else {
         flat.camera = fit_camera(flat.bounds);
         if (scene.camera)
-            flat.notes.emplace_back("replaced the scene's camera, which cannot be used, by one that sees the whole scene");
+            flat.notes.emplace_back(
+                "replaced the scene's camera, which cannot be used, by one that sees the whole scene");
     }
     std::ranges::copy_if(scene.lights, std::back_inserter(flat.lights), is_usable);
     tally.lights = std::int64_t(scene.lights.size() - flat.lights.size());
@@ -173,15 +160,14 @@ void add_view(const Scene& scene, FlatScene& flat, Tally& tally)
     }
 }
 
-void note(FlatScene& flat, std::int64_t count, std::string_view verb, std::string_view noun, std::string_view why = "")
-{
+void note(FlatScene& flat, std::int64_t count, std::string_view verb, std::string_view noun,
+          std::string_view why = "") {
     if (count > 0) flat.notes.push_back(fmt::format("{} {} {}{}{}", verb, count, noun, count == 1 ? "" : "s", why));
 }
 
-} // namespace
+}  // namespace
 
-FlatScene flatten(const Scene& scene)
-{
+FlatScene flatten(const Scene& scene) {
     check_scene(scene);
     FlatScene flat;
     flat.name = scene.name;
@@ -206,4 +192,4 @@ FlatScene flatten(const Scene& scene)
     return flat;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -19,7 +19,7 @@ struct Mesh {
     std::vector<Vec3> positions{};
     std::vector<Vec3> normals{};
     std::vector<Vec2> texture_coordinates{};
-    std::vector<std::uint32_t> indices{}; // three per triangle, counter-clockwise seen from outside
+    std::vector<std::uint32_t> indices{};  // three per triangle, counter-clockwise seen from outside
     int material = 0;
 };
 
@@ -33,14 +33,14 @@ struct Scene {
     std::string name;
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<Material> materials; // see shaders/shared/types.glsl
+    std::vector<Material> materials;  // see shaders/shared/types.glsl
     std::vector<std::string> material_names;
     std::vector<Image<Rgba8>> textures;
     std::vector<Light> lights;
     Vec3 ambient{0.12f};
     Vec3 background{0.10f, 0.11f, 0.13f};
-    std::optional<Camera> camera; // fitted to the bounds where absent
-    std::vector<std::string> notes; // what loading dropped or replaced, one sentence each
+    std::optional<Camera> camera;    // fitted to the bounds where absent
+    std::vector<std::string> notes;  // what loading dropped or replaced, one sentence each
 };
 
 /// Per-corner data of one triangle.
@@ -55,14 +55,14 @@ struct FlatScene {
     std::string name;
     std::vector<Triangle> triangles;
     std::vector<TriangleAttributes> attributes;
-    std::vector<Material> materials; // never empty
+    std::vector<Material> materials;  // never empty
     std::vector<Image<Rgba8>> textures;
     std::vector<Light> lights;
     Vec3 ambient{0.0f};
     Vec3 background{0.0f};
     Aabb bounds;
     Camera camera;
-    bool has_normals = false; // some vertex normal differs from the geometric one
+    bool has_normals = false;  // some vertex normal differs from the geometric one
     std::vector<std::string> notes;
 };
 
@@ -70,4 +70,4 @@ struct FlatScene {
 /// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
 
-} // namespace kd
+}  // namespace kd

@@ -14,12 +14,12 @@ constexpr float ball_radius = 0.72f;
 const Vec3 ball_centre{0.0f, ball_radius, 0.0f};
 
 /// Five walls, each a mesh of its own; the one towards the camera is missing.
-Scene open_box()
-{
+Scene open_box() {
     Scene scene;
     const auto add_walls = [&](const char* name, unsigned faces, const Material& material) {
         Mesh walls{.name = name};
-        add_box(walls, {.lower = {-1.2f, 0.0f, -1.2f}, .upper = {1.2f, 2.1f, 1.2f}, .seen_from_inside = true, .faces = faces});
+        add_box(walls,
+                {.lower = {-1.2f, 0.0f, -1.2f}, .upper = {1.2f, 2.1f, 1.2f}, .seen_from_inside = true, .faces = faces});
         place(scene, std::move(walls), material);
     };
     Material floor = matte({0.50f, 0.49f, 0.47f});
@@ -29,38 +29,34 @@ Scene open_box()
     add_walls("left wall", box_left, matte({0.55f, 0.66f, 0.74f}));
     add_walls("right wall", box_right, matte({0.82f, 0.70f, 0.54f}));
 
-    scene.ambient = Vec3(0.16f);
-    scene.lights.push_back(point_light({-0.55f, 1.85f, 0.85f}, Vec3(0.90f), {0.80f, 0.10f}));
-    scene.camera = Camera{.eye = {0.0f, 1.1f, 4.35f}, .target = {0.0f, 1.03f, 0.0f}, .fov_y_degrees = 40.0f};
+    scene.ambient = Vec3(0.20f);
+    scene.lights.push_back(point_light({-0.55f, 1.75f, 1.60f}, Vec3(0.88f), {0.75f, 0.06f}));
+    scene.camera = Camera{.eye = {0.0f, 1.1f, 4.35f}, .target = {0.0f, 1.03f, 0.0f}, .fov_y_degrees = 38.0f};
     return scene;
 }
 
-Scene with_ball(Mesh ball)
-{
+Scene with_ball(Mesh ball) {
     Scene scene = open_box();
     ball.name = "ball";
-    place(scene, std::move(ball), glossy({0.16f, 0.46f, 0.50f}, 0.35f, 60.0f));
+    place(scene, std::move(ball), glossy({0.17f, 0.50f, 0.54f}, 0.30f, 60.0f));
     return scene;
 }
 
-Scene make_ball(int size, unsigned)
-{
+Scene make_ball(int size, unsigned) {
     Mesh ball;
     add_uv_sphere(ball, ball_centre, double(ball_radius), uv_tessellation(size - box_triangles));
     return with_ball(std::move(ball));
 }
 
-Scene make_icoball(int size, unsigned)
-{
+Scene make_icoball(int size, unsigned) {
     Mesh ball;
     add_icosphere(ball, ball_centre, double(ball_radius), icosphere_frequency(size - box_triangles));
     return with_ball(std::move(ball));
 }
 
-} // namespace
+}  // namespace
 
-ProceduralScene ball_scene()
-{
+ProceduralScene ball_scene() {
     return {.name = "ball",
             .default_size = 9000,
             .smallest_size = 16,
@@ -69,8 +65,7 @@ ProceduralScene ball_scene()
             .make = make_ball};
 }
 
-ProceduralScene icoball_scene()
-{
+ProceduralScene icoball_scene() {
     return {.name = "icoball",
             .default_size = 9000,
             .smallest_size = 30,
@@ -79,4 +74,4 @@ ProceduralScene icoball_scene()
             .make = make_icoball};
 }
 
-} // namespace kd
+}  // namespace kd

@@ -11,13 +11,9 @@ namespace kd {
 
 namespace {
 
-bool names_one_of(int index, std::size_t count)
-{
-    return index >= 0 && std::size_t(index) < count;
-}
+bool names_one_of(int index, std::size_t count) { return index >= 0 && std::size_t(index) < count; }
 
-void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
-{
+void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials) {
     const std::string place = fmt::format("mesh {} '{}'", number, mesh.name);
     const std::size_t positions = mesh.positions.size();
     if (mesh.indices.size() % 3 != 0)
@@ -28,8 +24,8 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
         throw InputError(
             fmt::format("{}: index {} is outside its {} positions; correct the index", place, *largest, positions));
     if (!mesh.normals.empty() && mesh.normals.size() != positions)
-        throw InputError(
-            fmt::format("{}: {} normals for {} positions; give one each or none", place, mesh.normals.size(), positions));
+        throw InputError(fmt::format("{}: {} normals for {} positions; give one each or none", place,
+                                     mesh.normals.size(), positions));
     if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != positions)
         throw InputError(fmt::format("{}: {} texture coordinates for {} positions; give one each or none", place,
                                      mesh.texture_coordinates.size(), positions));
@@ -39,38 +35,38 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
             fmt::format("{}: material {} is not one of the scene's {}; correct it", place, mesh.material, materials));
 }
 
-void check_textures(const Scene& scene)
-{
+void check_textures(const Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const int texture = scene.materials[i].texture;
         if (texture >= 0 && !names_one_of(texture, scene.textures.size()))
-            throw InputError(fmt::format("material {}: texture {} is not one of the scene's {}; correct it, or use -1 for none",
-                                         i, texture, scene.textures.size()));
+            throw InputError(
+                fmt::format("material {}: texture {} is not one of the scene's {}; correct it, or use -1 for none", i,
+                            texture, scene.textures.size()));
     }
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         const Image<Rgba8>& image = scene.textures[i];
-        if (image.width < 1 || image.height < 1 || image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
+        if (image.width < 1 || image.height < 1 ||
+            image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
             throw InputError(fmt::format("texture {}: the image has no pixels; give at least one", i));
     }
 }
 
-} // namespace
+}  // namespace
 
-void check_scene(const Scene& scene)
-{
+void check_scene(const Scene& scene) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) check_mesh(scene.meshes[i], i, scene.materials.size());
     check_textures(scene);
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const int mesh = scene.instances[i].mesh;
         if (!names_one_of(mesh, scene.meshes.size()))
-            throw InputError(
-                fmt::format("instance {}: mesh {} is not one of the scene's {}; correct it", i, mesh, scene.meshes.size()));
+            throw InputError(fmt::format("instance {}: mesh {} is not one of the scene's {}; correct it", i, mesh,
+                                         scene.meshes.size()));
         triangles += scene.meshes[std::size_t(mesh)].indices.size() / 3;
     }
     if (triangles > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
-        throw InputError(fmt::format("scene '{}': {} triangles are too many to number; use fewer than 2^31", scene.name,
-                                     triangles));
+        throw InputError(
+            fmt::format("scene '{}': {} triangles are too many to number; use fewer than 2^31", scene.name, triangles));
 }
 
-} // namespace kd
+}  // namespace kd

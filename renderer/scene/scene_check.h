@@ -9,4 +9,4 @@ namespace kd {
 /// normals, transforms) are not looked at.
 void check_scene(const Scene& scene);
 
-} // namespace kd
+}  // namespace kd

@@ -8,15 +8,13 @@ namespace kd {
 
 namespace {
 
-void place_box(Scene& scene, const char* name, const BoxShape& shape, const Material& material)
-{
+void place_box(Scene& scene, const char* name, const BoxShape& shape, const Material& material) {
     Mesh mesh{.name = name};
     add_box(mesh, shape);
     place(scene, std::move(mesh), material);
 }
 
-Scene make_cornell(int, unsigned)
-{
+Scene make_cornell(int, unsigned) {
     Scene scene;
     BoxShape room{.lower = {-1.0f, 0.0f, -1.0f}, .upper = {1.0f, 2.0f, 1.0f}, .seen_from_inside = true};
     room.faces = box_bottom | box_top | box_back;
@@ -26,26 +24,25 @@ Scene make_cornell(int, unsigned)
     room.faces = box_right;
     place_box(scene, "green wall", room, matte({0.18f, 0.52f, 0.18f}));
 
-    BoxShape tall{.lower = {-0.66f, 0.0f, -0.62f}, .upper = {-0.06f, 1.2f, -0.02f}, .turn_degrees = 18.0};
+    BoxShape tall{.lower = {-0.62f, 0.0f, -0.66f}, .upper = {-0.02f, 1.2f, -0.06f}, .turn_degrees = 35.0};
     tall.faces = all_box_faces & ~unsigned(box_front);
     place_box(scene, "tall cube", tall, matte(Vec3(0.74f, 0.73f, 0.70f)));
     tall.faces = box_front;
     Material mirror = matte(Vec3(0.16f));
     mirror.reflectance = Vec3(0.7f);
     place_box(scene, "mirror face", tall, mirror);
-    const BoxShape low{.lower = {0.05f, 0.0f, -0.02f}, .upper = {0.65f, 0.6f, 0.58f}, .turn_degrees = -17.0};
+    const BoxShape low{.lower = {0.20f, 0.0f, -0.05f}, .upper = {0.78f, 0.58f, 0.53f}, .turn_degrees = -17.0};
     place_box(scene, "low cube", low, matte(Vec3(0.74f, 0.73f, 0.70f)));
 
-    scene.ambient = Vec3(0.18f);
-    scene.lights.push_back(point_light({0.0f, 1.88f, 0.1f}, Vec3(1.0f, 0.97f, 0.92f), {0.90f, 0.12f}));
+    scene.ambient = Vec3(0.20f);
+    scene.lights.push_back(point_light({-0.1f, 1.85f, 0.90f}, Vec3(1.0f, 0.97f, 0.92f), {0.90f, 0.12f}));
     scene.camera = Camera{.eye = {0.0f, 1.0f, 3.95f}, .target = {0.0f, 1.0f, 0.0f}, .fov_y_degrees = 38.0f};
     return scene;
 }
 
-} // namespace
+}  // namespace
 
-ProceduralScene cornell_scene()
-{
+ProceduralScene cornell_scene() {
     return {.name = "cornell",
             .default_size = 0,
             .smallest_size = 0,
@@ -54,4 +51,4 @@ ProceduralScene cornell_scene()
             .make = make_cornell};
 }
 
-} // namespace kd
+}  // namespace kd

@@ -17,27 +17,24 @@ constexpr float room_width = 4.0f;
 constexpr float room_height = 3.0f;
 constexpr int wall_columns = 8, wall_rows = 5, floor_cells = 5, box_cells = 3;
 
-float grid_line(int i)
-{
-    return room_width * (float(i) - 0.5f * float(rooms_per_side));
-}
+float grid_line(int i) { return room_width * (float(i) - 0.5f * float(rooms_per_side)); }
 
 /// One sheet between neighbours: every room is closed.
-Mesh all_walls()
-{
+Mesh all_walls() {
     Mesh walls{.name = "walls"};
     const Vec3 up(0.0f, room_height, 0.0f);
     for (int line = 0; line <= rooms_per_side; ++line) {
         for (int room = 0; room < rooms_per_side; ++room) {
-            add_patch(walls, {grid_line(room), 0.0f, grid_line(line)}, {room_width, 0.0f, 0.0f}, up, wall_columns, wall_rows);
-            add_patch(walls, {grid_line(line), 0.0f, grid_line(room)}, {0.0f, 0.0f, room_width}, up, wall_columns, wall_rows);
+            add_patch(walls, {grid_line(room), 0.0f, grid_line(line)}, {room_width, 0.0f, 0.0f}, up, wall_columns,
+                      wall_rows);
+            add_patch(walls, {grid_line(line), 0.0f, grid_line(room)}, {0.0f, 0.0f, room_width}, up, wall_columns,
+                      wall_rows);
         }
     }
     return walls;
 }
 
-Mesh all_floors(const char* name, float height)
-{
+Mesh all_floors(const char* name, float height) {
     Mesh floors{.name = name};
     for (int row = 0; row < rooms_per_side; ++row) {
         for (int column = 0; column < rooms_per_side; ++column)
@@ -47,19 +44,20 @@ Mesh all_floors(const char* name, float height)
     return floors;
 }
 
-constexpr std::array<Vec3, 5> box_colours{Vec3(0.70f, 0.36f, 0.24f), Vec3(0.28f, 0.46f, 0.60f), Vec3(0.74f, 0.60f, 0.28f),
-                                          Vec3(0.36f, 0.54f, 0.38f), Vec3(0.54f, 0.40f, 0.56f)};
+constexpr std::array<Vec3, 5> box_colours{Vec3(0.70f, 0.36f, 0.24f), Vec3(0.28f, 0.46f, 0.60f),
+                                          Vec3(0.74f, 0.60f, 0.28f), Vec3(0.36f, 0.54f, 0.38f),
+                                          Vec3(0.54f, 0.40f, 0.56f)};
 
 /// Each colour once in every row and column; the middle room's is the first.
-void place_boxes(Scene& scene, Random& random)
-{
+void place_boxes(Scene& scene, Random& random) {
     std::array<Mesh, box_colours.size()> boxes;
     for (int row = 0; row < rooms_per_side; ++row) {
         for (int column = 0; column < rooms_per_side; ++column) {
             const double half = random.between(0.50, 0.65);
             const double height = random.between(0.9, 1.4);
             const glm::dvec3 foot(double(grid_line(column)) + 2.0, 0.0, double(grid_line(row)) + 2.0);
-            BoxShape shape{.lower = Vec3(foot - glm::dvec3(half, 0.0, half)), .upper = Vec3(foot + glm::dvec3(half, height, half))};
+            BoxShape shape{.lower = Vec3(foot - glm::dvec3(half, 0.0, half)),
+                           .upper = Vec3(foot + glm::dvec3(half, height, half))};
             shape.turn_degrees = random.between(10.0, 80.0);
             shape.cells = box_cells;
             add_box(boxes[std::size_t(2 * row + column + 4) % boxes.size()], shape);
@@ -71,8 +69,7 @@ void place_boxes(Scene& scene, Random& random)
     }
 }
 
-Scene make_rooms(int, unsigned seed)
-{
+Scene make_rooms(int, unsigned seed) {
     Scene scene;
     Random random(seed);
     place(scene, all_floors("floors", 0.0f), matte({0.56f, 0.50f, 0.44f}));
@@ -80,16 +77,15 @@ Scene make_rooms(int, unsigned seed)
     place(scene, all_walls(), matte({0.74f, 0.74f, 0.70f}));
     place_boxes(scene, random);
 
-    scene.ambient = Vec3(0.17f);
-    scene.lights.push_back(point_light({-0.7f, 2.6f, 1.2f}, Vec3(0.95f), {0.80f, 0.045f}));
+    scene.ambient = Vec3(0.20f);
+    scene.lights.push_back(point_light({1.1f, 2.5f, 1.3f}, Vec3(0.95f), {0.80f, 0.045f}));
     scene.camera = Camera{.eye = {1.75f, 1.85f, 1.8f}, .target = {-0.25f, 0.80f, -0.35f}, .fov_y_degrees = 62.0f};
     return scene;
 }
 
-} // namespace
+}  // namespace
 
-ProceduralScene rooms_scene()
-{
+ProceduralScene rooms_scene() {
     return {.name = "rooms",
             .default_size = 0,
             .smallest_size = 0,
@@ -98,4 +94,4 @@ ProceduralScene rooms_scene()
             .make = make_rooms};
 }
 
-} // namespace kd
+}  // namespace kd

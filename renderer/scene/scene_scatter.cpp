@@ -23,13 +23,12 @@ constexpr float fov_degrees = 45.0f;
 // Of the 10 000: 6.0 pixels at the nearest and 3.3 at the furthest distance, in an image 512 pixels high.
 constexpr double edge_of_10000 = 0.0233;
 
-constexpr std::array<Vec3, 7> colours_by_depth{Vec3(0.95f, 0.76f, 0.36f), Vec3(0.93f, 0.58f, 0.34f), Vec3(0.85f, 0.43f, 0.40f),
-                                               Vec3(0.68f, 0.40f, 0.56f), Vec3(0.46f, 0.44f, 0.68f), Vec3(0.32f, 0.52f, 0.70f),
-                                               Vec3(0.30f, 0.62f, 0.64f)};
+constexpr std::array<Vec3, 7> colours_by_depth{
+    Vec3(0.95f, 0.76f, 0.36f), Vec3(0.93f, 0.58f, 0.34f), Vec3(0.85f, 0.43f, 0.40f), Vec3(0.68f, 0.40f, 0.56f),
+    Vec3(0.46f, 0.44f, 0.68f), Vec3(0.32f, 0.52f, 0.70f), Vec3(0.30f, 0.62f, 0.64f)};
 
 /// Equilateral, in a random turn, facing the camera to within 60 degrees so that it can be seen.
-void add_triangle(Mesh& mesh, glm::dvec3 centre, double edge, Random& random)
-{
+void add_triangle(Mesh& mesh, glm::dvec3 centre, double edge, Random& random) {
     const double azimuth = 2.0 * std::numbers::pi * random.unit();
     const double cosine = random.between(0.5, 1.0);
     const double sine = std::sqrt(1.0 - cosine * cosine);
@@ -45,8 +44,7 @@ void add_triangle(Mesh& mesh, glm::dvec3 centre, double edge, Random& random)
 }
 
 /// Evenly over the volume seen by a square image, whole triangles inside of it.
-glm::dvec3 point_in_view(double edge, Random& random)
-{
+glm::dvec3 point_in_view(double edge, Random& random) {
     const double slope = std::tan(0.5 * glm::radians(double(fov_degrees)));
     const double near_cubed = nearest * nearest * nearest;
     const double far_cubed = furthest * furthest * furthest;
@@ -57,8 +55,7 @@ glm::dvec3 point_in_view(double edge, Random& random)
     return {x, y, eye_z - distance};
 }
 
-Scene make_scatter(int size, unsigned seed)
-{
+Scene make_scatter(int size, unsigned seed) {
     Scene scene;
     Random random(seed);
     // More triangles are smaller ones, so that they neither fill the view nor vanish.
@@ -78,14 +75,14 @@ Scene make_scatter(int size, unsigned seed)
     scene.ambient = Vec3(0.20f);
     scene.background = Vec3(0.07f, 0.08f, 0.10f);
     scene.lights.push_back(point_light({1.2f, 1.8f, float(eye_z)}, Vec3(0.80f)));
-    scene.camera = Camera{.eye = {0.0f, 0.0f, float(eye_z)}, .target = {0.0f, 0.0f, 0.0f}, .fov_y_degrees = fov_degrees};
+    scene.camera =
+        Camera{.eye = {0.0f, 0.0f, float(eye_z)}, .target = {0.0f, 0.0f, 0.0f}, .fov_y_degrees = fov_degrees};
     return scene;
 }
 
-} // namespace
+}  // namespace
 
-ProceduralScene scatter_scene()
-{
+ProceduralScene scatter_scene() {
     return {.name = "scatter",
             .default_size = 10000,
             .smallest_size = 1,
@@ -94,4 +91,4 @@ ProceduralScene scatter_scene()
             .make = make_scatter};
 }
 
-} // namespace kd
+}  // namespace kd

@@ -23,15 +23,13 @@ struct Wave {
 };
 using Waves = std::array<Wave, 4>;
 
-Waves random_waves(Random& random)
-{
+Waves random_waves(Random& random) {
     Waves waves{{{0.120, 1.9, 0.7, 0.0}, {0.080, -1.2, 2.6, 0.0}, {0.040, 4.3, 3.1, 0.0}, {0.012, -8.0, 9.5, 0.0}}};
     for (Wave& wave : waves) wave.phase = 2.0 * std::numbers::pi * random.unit();
     return waves;
 }
 
-void add_sheet_point(Mesh& mesh, const Waves& waves, double s, double t)
-{
+void add_sheet_point(Mesh& mesh, const Waves& waves, double s, double t) {
     const double x = left + s * (right - left);
     const double z = front + t * (back - front);
     double height = 0.0;
@@ -48,8 +46,7 @@ void add_sheet_point(Mesh& mesh, const Waves& waves, double s, double t)
 }
 
 /// About `size` triangles in cells as near to squares as whole numbers of them allow.
-Mesh make_surface(int size, const Waves& waves)
-{
+Mesh make_surface(int size, const Waves& waves) {
     Mesh mesh{.name = "sheet"};
     const double cells = 0.5 * size;
     const auto columns = std::uint32_t(std::max(1L, std::lround(std::sqrt(cells * (right - left) / (front - back)))));
@@ -69,8 +66,7 @@ Mesh make_surface(int size, const Waves& waves)
 }
 
 /// Two quiet tones in squares, so that the waves can be followed; it repeats.
-Image<Rgba8> chequers()
-{
+Image<Rgba8> chequers() {
     constexpr int cell = 16;
     Image<Rgba8> image(4 * cell, 4 * cell);
     for (int y = 0; y < image.height; ++y) {
@@ -82,8 +78,7 @@ Image<Rgba8> chequers()
     return image;
 }
 
-Scene make_sheet(int size, unsigned seed)
-{
+Scene make_sheet(int size, unsigned seed) {
     Scene scene;
     Random random(seed);
     scene.textures.push_back(chequers());
@@ -91,22 +86,22 @@ Scene make_sheet(int size, unsigned seed)
     material.texture = 0;
     place(scene, make_surface(size, random_waves(random)), material);
 
-    scene.ambient = Vec3(0.16f);
+    scene.ambient = Vec3(0.20f);
     scene.lights.push_back(point_light({-2.2f, 2.6f, -2.4f}, Vec3(0.95f), {0.85f, 0.025f}));
     scene.camera = Camera{.eye = {0.0f, 2.6f, 3.0f}, .target = {0.0f, 0.0f, 0.2f}, .fov_y_degrees = 35.0f};
     return scene;
 }
 
-} // namespace
+}  // namespace
 
-ProceduralScene sheet_scene()
-{
+ProceduralScene sheet_scene() {
     return {.name = "sheet",
             .default_size = 10000,
             .smallest_size = 2,
             .largest_size = 2000000,
-            .summary = "A wavy sheet of about N triangles seen obliquely, filling the view; textured, with smooth normals.",
+            .summary =
+                "A wavy sheet of about N triangles seen obliquely, filling the view; textured, with smooth normals.",
             .make = make_sheet};
 }
 
-} // namespace kd
+}  // namespace kd

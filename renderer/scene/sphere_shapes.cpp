@@ -12,16 +12,14 @@ namespace kd {
 
 namespace {
 
-void add_sphere_point(Mesh& mesh, Vec3 centre, double radius, glm::dvec3 direction)
-{
+void add_sphere_point(Mesh& mesh, Vec3 centre, double radius, glm::dvec3 direction) {
     mesh.positions.emplace_back(glm::dvec3(centre) + radius * direction);
     mesh.normals.emplace_back(direction);
 }
 
-} // namespace
+}  // namespace
 
-UvTessellation uv_tessellation(int wanted)
-{
+UvTessellation uv_tessellation(int wanted) {
     UvTessellation best;
     const auto worse_than = [wanted](const UvTessellation& a, const UvTessellation& b) {
         const auto rank = [wanted](const UvTessellation& t) {
@@ -38,8 +36,7 @@ UvTessellation uv_tessellation(int wanted)
     return best;
 }
 
-void add_uv_sphere(Mesh& mesh, Vec3 centre, double radius, UvTessellation tessellation)
-{
+void add_uv_sphere(Mesh& mesh, Vec3 centre, double radius, UvTessellation tessellation) {
     const auto first = std::uint32_t(mesh.positions.size());
     const auto segments = std::uint32_t(tessellation.segments);
     const auto parallels = std::uint32_t(tessellation.rings - 1);
@@ -49,8 +46,9 @@ void add_uv_sphere(Mesh& mesh, Vec3 centre, double radius, UvTessellation tessel
         const double polar = std::numbers::pi * ring / tessellation.rings;
         for (std::uint32_t segment = 0; segment < segments; ++segment) {
             const double azimuth = 2.0 * std::numbers::pi * segment / tessellation.segments;
-            add_sphere_point(mesh, centre, radius,
-                             {std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth)});
+            add_sphere_point(
+                mesh, centre, radius,
+                {std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth)});
         }
     }
     add_sphere_point(mesh, centre, radius, {0.0, -1.0, 0.0});
@@ -69,4 +67,4 @@ void add_uv_sphere(Mesh& mesh, Vec3 centre, double radius, UvTessellation tessel
     }
 }
 
-} // namespace kd
+}  // namespace kd

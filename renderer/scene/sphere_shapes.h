@@ -24,4 +24,4 @@ void add_uv_sphere(Mesh& mesh, Vec3 centre, double radius, UvTessellation tessel
 /// The icosahedron with every edge cut into `frequency` parts and all points moved onto the sphere; it has no poles.
 void add_icosphere(Mesh& mesh, Vec3 centre, double radius, int frequency);
 
-} // namespace kd
+}  // namespace kd

@@ -13,7 +13,7 @@
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)
 // Macros:   KD_TRAVERSE (function to call), KD_STACK_SIZE, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
-//           AXIS(vector, axis) (component by number)
+//           AXIS(vector, axis) (component by number), IS_NAN(x)
 
 #include "vector.glsl"
 #include "ray.glsl"

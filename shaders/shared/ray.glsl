@@ -12,8 +12,7 @@ struct RaySetup {
 
 KD_FN bool finite3(real3 a, real limit)
 {
-    // Written so that NaN fails.
-    return abs(a.x) <= limit && abs(a.y) <= limit && abs(a.z) <= limit;
+    return !(IS_NAN(a.x) || IS_NAN(a.y) || IS_NAN(a.z)) && abs(a.x) <= limit && abs(a.y) <= limit && abs(a.z) <= limit;
 }
 
 /// True where the ray can be traced: finite, with a direction, and an interval that holds something.
@@ -21,7 +20,8 @@ KD_FN bool valid_ray(IN(Ray) ray)
 {
     real largest = max_component(abs(ray.direction));
     return finite3(ray.origin, KD_COORDINATE_LIMIT) && finite3(ray.direction, KD_COORDINATE_LIMIT) &&
-           largest > real(1e-30) && ray.t_min >= real(0) && ray.t_min < ray.t_max;
+           largest > real(1e-30) && !(IS_NAN(ray.t_min) || IS_NAN(ray.t_max)) && ray.t_min >= real(0) &&
+           ray.t_min < ray.t_max;
 }
 
 KD_FN real inverse_or_zero(real d)
@@ -35,13 +35,19 @@ KD_FN int largest_axis(real3 a)
     return a.y > a.z ? 1 : 2;
 }
 
+/// t_max cut to what t may be. NaN stays, for valid_ray to find.
+KD_FN real limited_end(real t_max)
+{
+    return IS_NAN(t_max) ? t_max : min(t_max, KD_T_LIMIT);
+}
+
 /// Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.1. Winding is not kept:
 /// both faces count, so the axes need no swap.
 KD_FN RaySetup setup_ray(IN(Ray) ray)
 {
     RaySetup s;
     s.ray = ray;
-    s.ray.t_max = min(ray.t_max, KD_T_LIMIT);
+    s.ray.t_max = limited_end(ray.t_max);
     s.inverse = real3(inverse_or_zero(ray.direction.x), inverse_or_zero(ray.direction.y), inverse_or_zero(ray.direction.z));
     int z = largest_axis(abs(ray.direction));
     int x = z == 2 ? 0 : z + 1;
@@ -59,7 +65,7 @@ KD_FN Hit no_hit(IN(Ray) ray)
 {
     Hit hit;
     hit.triangle = -1;
-    hit.t = min(ray.t_max, KD_T_LIMIT);
+    hit.t = limited_end(ray.t_max);
     hit.u = real(0);
     hit.v = real(0);
     return hit;

@@ -2,7 +2,8 @@
 // same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
 
 /// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
-/// the lowest triangle number wins. Comparisons are written so that NaN means no hit.
+/// the lowest triangle number wins. Where t is NaN there is no hit: the comparisons stand as they are meant, because a GLSL
+/// compiler may turn a negated one round.
 KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit) hit)
 {
     real3 a;
@@ -31,12 +32,11 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
 
     PRECISE real scaled_t = edge_a * (s.shear.z * a.z) + edge_b * (s.shear.z * b.z) + edge_c * (s.shear.z * c.z);
     PRECISE real t = scaled_t / determinant;
-    if (!(t > s.ray.t_min)) return;
-    if (!(t < hit.t || (t == hit.t && triangle < hit.triangle))) return;
-    if (triangle == s.ray.source) return;
-
-    hit.triangle = triangle;
-    hit.t = t;
-    hit.u = edge_b / determinant;
-    hit.v = edge_c / determinant;
+    bool nearer = t > s.ray.t_min && (t < hit.t || (t == hit.t && triangle < hit.triangle));
+    if (nearer && triangle != s.ray.source) {
+        hit.triangle = triangle;
+        hit.t = t;
+        hit.u = edge_b / determinant;
+        hit.v = edge_c / determinant;
+    }
 }

@@ -1,0 +1,112 @@
+// gallery: a few pictures that show what the program does.
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+#include "app/assets.h"
+#include "app/commands/commands.h"
+#include "app/fonts.h"
+#include "app/output_file.h"
+#include "app/rendering.h"
+#include "renderer/geometry/input_error.h"
+
+namespace kd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GalleryOptions : CommonOptions {
+    std::string folder;
+};
+
+struct Picture {
+    const char* name;
+    const char* map;  // null: none
+    bool overlay;
+};
+constexpr std::array<Picture, 4> pictures{
+    {{"beauty", nullptr, false}, {"nodes", "nodes", false}, {"divergence", "divergence", false}, {"splits", nullptr, true}}};
+
+struct GalleryScene {
+    std::string name;
+    int split_depth;  // shows the tree's shape without burying the image
+};
+
+std::vector<GalleryScene> gallery_scenes() {
+    std::vector<GalleryScene> scenes{{"ball:9000", 9}, {"rooms", 10}, {"scatter:10000", 5}};
+    if (const auto lantern = find_asset("scenes/lantern.gltf")) scenes.push_back({lantern->string(), 9});
+    return scenes;
+}
+
+/// "ball:9000" and "assets/scenes/lantern.gltf" as parts of file names: "ball-9000", "lantern".
+std::string file_stem(const std::string& scene) {
+    std::string stem = fs::path(scene).stem().string();
+    for (char& c : stem)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
+    return stem;
+}
+
+ViewConfig view_of(const Picture& picture, const GalleryScene& scene) {
+    ViewConfig view;
+    view.show_map = picture.map != nullptr;
+    if (picture.map) view.map.map = picture.map;
+    view.heat.opacity = 1.0f;
+    view.overlay.show = picture.overlay;
+    view.overlay.max_depth = scene.split_depth;
+    return view;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder)) throw InputError(fmt::format("--output: cannot make the folder '{}': {}", folder, error.message()));
+    check_output("--output", (fs::path(folder) / "beauty.png").string(), "");
+}
+
+int run(const GalleryOptions& options, CommandContext& context) {
+    make_folder(options.folder);
+    const Font font = picture_font();
+    for (const GalleryScene& scene : gallery_scenes()) {
+        Rendering rendering = render(options, options.session_for(scene.name), context);
+        rendering.session.scene = fs::path(scene.name).filename().string();
+        for (const Picture& picture : pictures) {
+            check_stop(context);
+            const fs::path path = fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name);
+            write_picture(path.string(), rendering, view_of(picture, scene), true, font);
+            context.out << path.string() << '\n' << std::flush;
+        }
+    }
+    return exit_ok;
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<GalleryOptions>();
+    options->session.width = 640;
+    options->session.height = 480;
+    app.add_option("-o,--output", options->folder, "Folder for the pictures; made if missing")
+        ->required()
+        ->type_name("FOLDER");
+    add_size_option(app, *options);
+    add_machine_options(app, *options);
+    add_tracing_options(app, *options);
+    add_tree_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command gallery_command() {
+    return {"gallery", "Writes pictures of several scenes: image, node heatmap, divergence map, splits",
+            "Prints the path of every picture.\n\n"
+            "Example:\n"
+            "  kdscope gallery -o out\n",
+            declare};
+}
+
+}  // namespace kd

@@ -1,0 +1,209 @@
+// render: one picture, with its numbers as files.
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+#include "app/commands/commands.h"
+#include "app/fonts.h"
+#include "app/help_format.h"
+#include "app/json_values.h"
+#include "app/output_file.h"
+#include "app/rendering.h"
+#include "app/typed_options.h"
+#include "renderer/io/file.h"
+#include "renderer/io/tables.h"
+#include "renderer/measure/ray_count.h"
+#include "viz/colormap.h"
+
+namespace kd {
+
+namespace {
+
+struct RenderOptions : CommonOptions {
+    std::string output, csv, json, exr;
+    std::optional<std::string> map;
+    bool see_through = false;
+    bool no_legend = false;
+};
+
+Json passes_json(const FrameTime& time) {
+    Json passes = Json::object();
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (time.pass_ms[pass] >= 0) passes[std::string(pass_names[pass])] = time.pass_ms[pass];
+    return passes;
+}
+
+Json json_of(const Rendering& r) {
+    const PinholeCamera camera = pinhole(r.scene.camera, r.session.width, r.session.height);
+    const RayCounts rays = count_rays(r.scene, r.tree, r.session.trace, camera, r.session.width, r.session.height);
+    const auto totals = pass_totals(r.frame, rays);
+    Json counters;
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        counters[json_key(ray_names[pass])] = kd::json_of(totals[pass]);
+    Json settings = kd::json_of(r.session);
+    settings["view"] = kd::json_of(r.session.view);
+    return {{"settings", settings},
+            {"scene", kd::json_of(r.scene)},
+            {"tree", kd::json_of(r.stats)},
+            {"renderer", r.renderer},
+            {"software_gl", r.software_gl},
+            {"clock", r.clock},
+            {"ms", {{"build", 1e3 * r.build.seconds}, {"trace", r.time.total_ms}, {"passes", passes_json(r.time)}}},
+            {"left_out", r.left_out},
+            {"counters", counters}};
+}
+
+void print(std::ostream& out, const Rendering& r) {
+    const Session& s = r.session;
+    out << fmt::format("scene     {}: {} triangles, {} materials, {} textures, {} lights\n", s.scene,
+                       r.scene.triangles.size(), r.scene.materials.size(), r.scene.textures.size(),
+                       r.scene.lights.size());
+    for (const std::string& note : r.scene.notes) out << "note      " << note << '\n';
+    out << fmt::format("tree      {}: {} nodes, {} leaves, SAH cost {:.2f}, built in {:.1f} ms\n", s.build.builder,
+                       r.stats.nodes, r.stats.leaves, r.stats.sah_cost, 1e3 * r.build.seconds);
+    for (const std::string& part : r.left_out) out << "left out  " << part << '\n';
+    out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
+                       name_of(s.tracer), r.time.total_ms, r.clock);
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (r.time.pass_ms[pass] >= 0) out << fmt::format("  {:<9} {:.1f} ms\n", pass_names[pass], r.time.pass_ms[pass]);
+    out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
+}
+
+void check_outputs(const RenderOptions& o, const std::string& scene) {
+    check_output("--output", o.output, scene, ".png");
+    check_output("--csv", o.csv, scene);
+    check_output("--json", o.json, scene);
+    check_output("--exr", o.exr, scene);
+}
+
+int run(const RenderOptions& options, CommandContext& context) {
+    Session session = options.session_for(options.scenes.front());
+    ViewConfig& view = session.view;
+    view.show_map = options.map.has_value();
+    if (options.map) view.map.map = *options.map;
+    view.overlay.hidden_line = !options.see_through;
+    check_outputs(options, session.scene);
+
+    const Rendering rendering = render(options, session, context);
+    print(context.out, rendering);
+    const auto wrote = [&](const std::string& path) { context.out << "wrote     " << path << '\n'; };
+    write_picture(options.output, rendering, view, !options.no_legend, picture_font());
+    wrote(options.output);
+    if (!options.csv.empty()) {
+        write_file(options.csv, frame_csv(rendering.frame));
+        wrote(options.csv);
+    }
+    if (!options.json.empty()) {
+        write_file(options.json, json_text(json_of(rendering)));
+        wrote(options.json);
+    }
+    if (!options.exr.empty()) {
+        write_frame_exr(options.exr, rendering.frame);
+        wrote(options.exr);
+    }
+    return exit_ok;
+}
+
+std::vector<NamedValue<std::string>> map_names() {
+    std::vector<NamedValue<std::string>> names;
+    for (const MapInfo& map : maps()) names.push_back({std::string(map.name), std::string(map.name)});
+    return names;
+}
+
+std::vector<NamedValue<std::string>> colormap_names() {
+    std::vector<NamedValue<std::string>> names;
+    for (const Colormap& map : colormaps()) names.push_back({std::string(map.name), std::string(map.name)});
+    return names;
+}
+
+void add_range(CLI::App& app, HeatmapConfig& heat) {
+    add_text_option(app, "--range", "A:B", "Values at the ends of the colours; automatic unless given",
+                    [&heat](const std::string& text) {
+                        const std::size_t colon = text.find(':');
+                        const auto low = parse_number<float>(text.substr(0, colon));
+                        const auto high = parse_number<float>(colon < text.size() ? text.substr(colon + 1) : "");
+                        if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high) || !(*low < *high))
+                            refuse(fmt::format("'{}' is not LOW:HIGH with LOW below HIGH", text));
+                        heat.range_mode = RangeMode::fixed;
+                        heat.range_min = *low;
+                        heat.range_max = *high;
+                    })
+        ->group("Map");
+}
+
+void add_map_options(CLI::App& app, RenderOptions& o) {
+    ViewConfig& view = o.session.view;
+    view.heat.opacity = 1.0f;
+    std::vector<NamedValue<Pass>> rays;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        std::string name(ray_names[pass]);
+        std::ranges::replace(name, ' ', '-');
+        rays.push_back({name, static_cast<Pass>(pass)});
+    }
+    add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
+    add_choice(app, "--rays", view.map.rays, rays, "Whose numbers [primary]")->group("Map");
+    add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
+    app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
+    add_range(app, view.heat);
+    add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")->group("Map");
+    add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, 1, 1024,
+             fmt::format("Pixels that run in lockstep, for divergence and idle [{}x{}]", view.map.tile_width,
+                         view.map.tile_height));
+    app.get_option("--tile")->group("Map");
+    app.add_flag("--overlay", view.overlay.show, "Draws the tree's splits over the image")->group("Overlay");
+    add_number<int>(app, "--overlay-depth", view.overlay.max_depth, 0, max_tree_depth,
+                    fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
+        ->group("Overlay");
+    app.add_flag("--see-through", o.see_through, "Also splits behind surfaces, faintly")->group("Overlay");
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<RenderOptions>();
+    RenderOptions& o = *options;
+    add_one_scene(app, o, true);
+    const auto file = [&](const char* flag, std::string& path, const char* text) {
+        return app.add_option(flag, path, text)->type_name("FILE");
+    };
+    file("-o,--output", o.output, "Picture to write, .png")->required();
+    file("--csv", o.csv, "Also a table of every pixel's hit and counters");
+    file("--json", o.json, "Also settings, tree, times and counter totals");
+    file("--exr", o.exr, "Also every counter as a float channel");
+    app.add_flag("--no-legend", o.no_legend, "The bare picture, without legend and caption");
+    add_size_option(app, o);
+    add_machine_options(app, o);
+    add_map_options(app, o);
+    add_tracing_options(app, o);
+    add_shading_options(app, o);
+    add_tree_options(app, o);
+    add_camera_options(app, o);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+namespace {
+
+std::string map_list() {
+    std::vector<HelpEntry> entries;
+    for (const MapInfo& map : maps())
+        entries.push_back({std::string(map.name), fmt::format("{}. {}", map.title, map.summary)});
+    return help_list("Maps", entries);
+}
+
+}  // namespace
+
+Command render_command() {
+    return {"render", "Writes a picture: the image, a map of costs, the tree's splits",
+            map_list() +
+                "\nExamples:\n"
+                "  kdscope render ball:9000 -o ball.png\n"
+            "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
+            "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
+            "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n",
+            declare};
+}
+
+}  // namespace kd

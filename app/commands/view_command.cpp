@@ -1,0 +1,66 @@
+// view: the window.
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/common_options.h"
+
+#ifdef KD_WITH_WINDOW
+#include "app/window/window.h"
+#endif
+
+namespace kd {
+
+namespace {
+
+constexpr const char* instead = "; `kdscope render SCENE -o F.png` makes pictures without one";
+
+#ifdef KD_WITH_WINDOW
+
+bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value;
+}
+
+int run(const CommonOptions& options, CommandContext& context) {
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
+        throw NoDisplay(std::string("no display (neither DISPLAY nor WAYLAND_DISPLAY is set)") + instead);
+    Session session = options.session_for(options.scenes.front());
+    (void)open_scene(options, session);  // a bad scene is told before a window opens
+    return run_window(session, context.stop);
+}
+
+#else
+
+int run(const CommonOptions&, CommandContext&) {
+    throw NoDisplay(std::string("this build has no window") + instead);
+}
+
+#endif
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<CommonOptions>();
+    add_one_scene(app, *options, false);
+    add_size_option(app, *options);
+    add_machine_options(app, *options);
+    add_tracing_options(app, *options);
+    add_shading_options(app, *options);
+    add_tree_options(app, *options);
+    add_camera_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command view_command() {
+    return {"view", "Opens the window; `kdscope SCENE` is the same",
+            "Examples:\n"
+            "  kdscope\n"
+            "  kdscope rooms --traversal restart\n"
+            "  kdscope view model.glb --builder paper\n",
+            declare};
+}
+
+}  // namespace kd

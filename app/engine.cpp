@@ -1,0 +1,113 @@
+#include "app/engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/engine_ray_cells.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::size_t most_messages = 20;
+constexpr int largest_side = 16384;  // of a picture: the smallest texture limit of machines met
+
+bool has_pixels(const Session& session) {
+    return session.width > 0 && session.height > 0 && session.width <= largest_side && session.height <= largest_side;
+}
+
+/// Whether two sessions that agree in scene and tree need different frames.
+bool same_frame(const Session& a, const Session& b) {
+    return a.trace == b.trace && a.tracer == b.tracer && a.camera == b.camera && a.width == b.width &&
+           a.height == b.height && a.threads == b.threads;
+}
+
+}  // namespace
+
+Engine::Engine(const Session& start, EngineOptions options)
+    : options_(std::move(options)), mailbox_(options_.wake), tracing_(std::make_unique<Tracing>(options_.open_gl)),
+      tracer_([this] { tracing_.reset(); }) {
+    state_.session = start;
+    if (start.camera && !is_valid(*start.camera)) {
+        state_.session.camera.reset();
+        say(true, "camera: its values cannot be used; the scene's own is shown");
+    }
+    state_.session.trace.counters = true;  // maps and read-outs live on them
+    state_.generation = trace_generation_ = 1;
+    start_load();
+}
+
+Engine::~Engine() = default;
+
+double Engine::now() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+void Engine::say(bool error, std::string text) {
+    state_.messages.push_back({error, std::move(text), now()});
+    if (state_.messages.size() > most_messages) state_.messages.erase(state_.messages.begin());
+}
+
+void Engine::set_session(const Session& wanted) {
+    const Session before = state_.session;
+    Session next = wanted;
+    next.trace.counters = true;
+    if (next.camera && !is_valid(*next.camera)) next.camera = before.camera;
+    if (!has_pixels(next)) {
+        next.width = before.width;
+        next.height = before.height;
+    }
+    if (next == before) return;
+    state_.session = next;
+    ++state_.generation;
+    const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
+    if (scene_changed) start_load();
+    else if (next.build != before.build) start_build();
+    if (scene_changed || next.build != before.build || !same_frame(next, before)) trace_generation_ = state_.generation;
+    if (!same_frame(next, before)) start_trace();
+    else if (!scene_changed && next.build == before.build) start_paint();
+}
+
+void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned) {
+    if (hovered == hovered_ && pinned == pinned_) return;
+    hovered_ = hovered;
+    pinned_ = pinned;
+    read_probes();
+}
+
+void Engine::note_input() {
+    last_input_ = now();
+    stop_duel();
+}
+
+void Engine::allow_duel(bool allowed) {
+    options_.duel = allowed;
+    if (!allowed) stop_duel();
+}
+
+bool Engine::poll() {
+    const bool news = mailbox_.deliver();
+    if (state_.building.active) state_.building.fraction = build_fraction_;
+    if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
+    if (!duelling_) start_duel();
+    return news;
+}
+
+Camera Engine::camera_in_use() const {
+    return state_.session.camera.value_or(state_.world->scene().camera);
+}
+
+void Engine::read_probes() {
+    state_.hovered.reset();
+    state_.pinned.reset();
+    state_.ray_cells.clear();
+    if (!state_.picture) return;
+    const TracedFrame& shown = state_.picture->traced;
+    if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
+    if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
+    const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
+    if (probe && state_.session.view.overlay.show)
+        state_.ray_cells = ray_cells(shown, *probe, state_.session.width, state_.session.height);
+}
+
+}  // namespace kd

@@ -1,0 +1,95 @@
+// The work behind the window: loads, builds, traces and paints in the background, one way, newest wishes first.
+//
+//   set_session() -> what changed -> scene -> tree -> frame -> picture
+//
+// Each arrow is a background thread; a change redoes the work from where it enters, and until its result is there the
+// previous one stays. All member functions are called on one thread, the owner's.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/engine_mailbox.h"
+#include "app/engine_paint.h"
+#include "app/engine_state.h"
+#include "app/engine_tracing.h"
+#include "app/engine_worker.h"
+
+namespace kd {
+
+struct EngineOptions {
+    OpenGl open_gl;              // called on the tracing thread; empty: no GPU
+    std::function<void()> wake;  // called on any thread when poll() has something to fetch
+    Font font;                   // of legends
+    int legend_scale = 1;
+    bool duel = true;            // time CPU and GPU while idle
+};
+
+class Engine {
+  public:
+    Engine(const Session& start, EngineOptions options);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as it
+    /// was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
+    void set_session(const Session& next);
+    /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`.
+    void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
+    /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
+    void cancel_build();
+    /// A person did something: no duel for a while.
+    void note_input();
+    void allow_duel(bool allowed);
+    void dismiss_messages() { state_.messages.clear(); }
+    void say(bool error, std::string text);
+
+    /// Fetches results and starts what follows from them. Call it often; true where the state changed.
+    bool poll();
+    [[nodiscard]] const EngineState& state() const { return state_; }
+
+    /// Seconds since the engine was made.
+    [[nodiscard]] double now() const;
+
+  private:
+    void start_load();
+    void finish_load(std::shared_ptr<const LoadedScene> loaded);
+    void fail_load(const std::string& why);
+    void start_build();
+    void finish_build(std::shared_ptr<const World> world);
+    void start_trace();
+    void receive(TracedFrame traced);
+    void start_paint();
+    void start_duel();
+    void receive(const DuelReply& reply);
+    void stop_duel();
+    void read_probes();
+    void trace_ray_cells();
+    [[nodiscard]] TraceRequest trace_request() const;
+    [[nodiscard]] Camera camera_in_use() const;
+
+    EngineOptions options_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    EngineState state_;
+    std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
+    TracedFrame traced_;                        // newest frame
+    std::optional<PixelPosition> hovered_, pinned_;
+    std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
+    std::uint64_t trace_ticket_ = 0;      // of the trace started last
+    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0;  // written by the threads at work
+    std::uint64_t duel_failed_at_ = ~std::uint64_t(0);
+    std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
+    double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
+    bool duelling_ = false;
+    bool duel_warm_ = false;  // the next round is the first that counts
+
+    Mailbox mailbox_;
+    std::unique_ptr<Tracing> tracing_;  // lives and dies on tracer_'s thread
+    Worker loader_, builder_, painter_, tracer_;  // last: joined before what their jobs use goes
+};
+
+}  // namespace kd

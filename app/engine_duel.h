@@ -1,0 +1,36 @@
+// CPU against GPU: the same frame by both in turn, again and again, while nobody works with the window.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <string>
+
+#include "renderer/measure/timing.h"
+#include "renderer/trace/frame.h"
+
+namespace kd {
+
+/// One frame by the CPU, then the same by the GPU. A negative time means: not measured.
+struct DuelRound {
+    double cpu_ms = -1;
+    double gl_ms = -1;
+    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};  // of gl_ms
+};
+
+struct DuelState {
+    int width = 0, height = 0;     // of the frame timed
+    std::int64_t rays = 0;         // that one frame traces, all passes
+    std::deque<DuelRound> rounds;  // newest last, all of the same frame
+    TimeSummary cpu, gl;
+    std::array<TimeSummary, pass_count> passes;
+    std::string cpu_clock, gl_clock;
+    bool running = false;
+
+    /// Drops the oldest beyond `history` rounds and summarises again.
+    void add(const DuelRound& round);
+    /// CPU time over GPU time; above 1 the GPU is faster. 0 where one is missing.
+    [[nodiscard]] double ratio() const;
+    static constexpr std::size_t history = 120;
+};
+
+}  // namespace kd

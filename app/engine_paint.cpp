@@ -1,0 +1,59 @@
+#include "app/engine_paint.h"
+
+#include <algorithm>
+
+#include "app/engine_levels.h"
+
+namespace kd {
+
+namespace {
+
+/// Lines on a preview are drawn at no less than half of the picture's resolution: coarser ones could not be read.
+constexpr int coarsest_lines = 2;
+
+template <class T>
+Image<T> enlarge(const Image<T>& image, int factor) {
+    Image<T> result(image.width * factor, image.height * factor);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) result.at(x, y) = image.at(x / factor, y / factor);
+    return result;
+}
+
+/// What draw_lines() reads of a frame, enlarged.
+Frame enlarge_hits(const Frame& frame, int factor) {
+    Frame result;
+    result.width = frame.width * factor;
+    result.height = frame.height * factor;
+    result.layer(Pass::rt_prim).hit = enlarge(frame.layer(Pass::rt_prim).hit, factor);
+    return result;
+}
+
+Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, const std::optional<MapView>& map) {
+    const Frame& frame = *traced.frame;
+    const KdTree& tree = traced.world->tree;
+    if (traced.scale <= coarsest_lines || !view.overlay.show) return make_picture(frame, tree, traced.camera, view, map);
+
+    ViewConfig without_lines = view;
+    without_lines.overlay.show = false;
+    const int factor = traced.scale / coarsest_lines;
+    Image<Rgba8> image = enlarge(make_picture(frame, tree, traced.camera, without_lines, map), factor);
+    const Frame hits = enlarge_hits(frame, factor);
+    draw_lines(image, split_lines(tree, view.overlay), pinhole(traced.camera, hits.width, hits.height), hits, view.overlay);
+    return image;
+}
+
+}  // namespace
+
+Picture paint(const PaintRequest& request, const Font& font) {
+    Picture picture;
+    const std::optional<MapView> map = view_map(*request.traced.frame, request.view);
+    picture.image = paint_image(request.traced, request.view, map);
+    picture.legend = make_legend(request.traced.world->tree, request.view, map, font, request.legend_scale);
+    picture.view = request.view;
+    if (map) picture.summary = map->summary;
+    picture.traced = request.traced;
+    picture.generation = request.generation;
+    return picture;
+}
+
+}  // namespace kd

@@ -1,0 +1,50 @@
+// The machines that trace frames for the engine. One thread uses a source from its first call to its end.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "app/engine_world.h"
+#include "renderer/gl/context.h"
+#include "renderer/trace/frame.h"
+#include "renderer/trace/trace_config.h"
+
+namespace kd {
+
+/// A frame's time by the source's own clock. `pass_ms` is -1 where passes are not timed apart or did not run.
+struct SourceTime {
+    double total_ms = 0;
+    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
+    bool complete = true;  // false where stopped
+};
+
+/// What is traced, on how many threads (0 = all; the GPU does not care).
+struct FrameTask {
+    std::shared_ptr<const World> world;
+    TraceConfig config;
+    PinholeCamera camera;
+    int threads = 0;
+};
+
+class FrameSource {
+  public:
+    virtual ~FrameSource() = default;
+
+    /// Makes tables, programs and targets, outside of any timing. InputError where the source has to refuse.
+    virtual void prepare(const FrameTask& task, int width, int height) = 0;
+    /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.
+    virtual SourceTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
+                             const std::function<void(float)>& progress) = 0;
+    /// Brings what trace() made into `frame`.
+    virtual void read(const FrameTask& task, Frame& frame) = 0;
+    [[nodiscard]] virtual std::string clock() const = 0;
+};
+
+[[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source();
+/// `context` is current and outlives the source.
+[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context);
+
+}  // namespace kd

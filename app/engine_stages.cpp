@@ -1,0 +1,255 @@
+// The stages of the engine: what each background thread does, and what its result sets off.
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/engine.h"
+#include "renderer/kdtree/stats.h"
+#include "renderer/measure/timing.h"
+
+namespace kd {
+
+namespace {
+
+constexpr double quiet_before_duel_s = 0.6;
+constexpr double longest_duel_pause_s = 2;
+
+bool asks_for(const Session& session, const LoadedScene& scene) {
+    return session.scene == scene.name && session.seed == scene.seed;
+}
+
+}  // namespace
+
+void Engine::start_load() {
+    const std::string name = state_.session.scene;
+    const unsigned seed = state_.session.seed;
+    builder_.cancel();
+    state_.building = {};
+    if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
+        loader_.cancel();
+        state_.loading = {};
+        scene_ = state_.world->loaded;
+        start_build();
+        return;
+    }
+    state_.loading = {true, 0};
+    state_.loading_name = name;
+    loader_.submit([this, name, seed](const std::stop_token&) {
+        std::shared_ptr<const LoadedScene> loaded;
+        std::string error;
+        try {
+            loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        mailbox_.post([this, name, seed, loaded, error] {
+            if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
+            if (loaded) finish_load(loaded);
+            else fail_load(error);
+        });
+    });
+}
+
+void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
+    state_.loading = {};
+    scene_ = std::move(loaded);
+    for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
+    start_build();
+}
+
+void Engine::fail_load(const std::string& why) {
+    state_.loading = {};
+    say(true, why);
+    if (!state_.world) return;
+    // The scene before it is still there.
+    Session back = state_.session;
+    back.scene = state_.world->loaded->name;
+    back.seed = state_.world->loaded->seed;
+    set_session(back);
+}
+
+void Engine::start_build() {
+    if (!scene_ || state_.loading.active) return;  // finish_load() comes here again
+    const BuildConfig config = state_.session.build;
+    if (state_.world && state_.world->loaded == scene_ && state_.world->built_with == config) {
+        builder_.cancel();
+        state_.building = {};
+        start_trace();
+        return;
+    }
+    state_.building = {true, 0};
+    build_fraction_ = 0;
+    builder_.submit([this, config, loaded = scene_](const std::stop_token& stop) {
+        auto world = std::make_shared<World>();
+        world->loaded = loaded;
+        world->built_with = config;
+        std::string error;
+        const auto progress = [this](float fraction) { build_fraction_ = fraction; };
+        try {
+            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
+            world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        const bool stopped = stop.stop_requested();
+        mailbox_.post([this, world, error, stopped] {
+            // A stopped build counts only where a person stopped it and there is no tree to go back to.
+            const bool wanted = world->loaded == scene_ && world->built_with == state_.session.build;
+            if (!wanted || !state_.building.active || (stopped && state_.world && state_.world->loaded == scene_)) return;
+            state_.building = {};
+            if (error.empty()) return finish_build(world);
+            say(true, error);
+            Session back = state_.session;
+            back.build = state_.world ? state_.world->built_with : BuildConfig{};
+            set_session(back);
+        });
+    });
+}
+
+void Engine::finish_build(std::shared_ptr<const World> world) {
+    state_.world = std::move(world);
+    state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    if (state_.world->report.reference_cap_hit)
+        say(false, "tree: the limit of references per triangle was reached; some splits were not made");
+    trace_generation_ = ++state_.generation;
+    start_trace();
+}
+
+void Engine::cancel_build() {
+    if (!state_.building.active) return;
+    builder_.cancel();
+    if (!state_.world || state_.world->loaded != scene_) return;  // the unfinished tree will do
+    state_.building = {};
+    Session back = state_.session;
+    back.build = state_.world->built_with;
+    set_session(back);
+}
+
+TraceRequest Engine::trace_request() const {
+    const Session& s = state_.session;
+    // A frame of a tree that is about to be replaced is shown, but answers nothing.
+    const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
+    return {state_.world, s.trace, s.tracer, camera_in_use(), s.width, s.height, s.threads,
+            current ? state_.generation : 0};
+}
+
+void Engine::start_trace() {
+    // While another scene is on its way, the camera is meant for that one.
+    if (!state_.world || state_.loading.active || state_.world->loaded != scene_) return;
+    state_.camera = camera_in_use();
+    state_.tracing = {true, 0};
+    trace_fraction_ = 0;
+    duelling_ = state_.duel.running = false;
+    tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
+        std::string error;
+        try {
+            tracing_->trace(
+                request, stop, [this](TracedFrame f) { mailbox_.post([this, f = std::move(f)] { receive(f); }); },
+                [this](float fraction) { trace_fraction_ = fraction; });
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
+        mailbox_.post([this, gl, error, ticket, tracer = request.tracer] {
+            if (gl.known) state_.gl = gl;
+            if (ticket == trace_ticket_) state_.tracing = {};
+            if (error.empty()) return;
+            say(true, error);
+            if (tracer == TracerKind::cpu || state_.session.tracer != tracer) return;
+            Session back = state_.session;
+            back.tracer = TracerKind::cpu;
+            set_session(back);
+        });
+    });
+}
+
+void Engine::receive(TracedFrame traced) {
+    traced_ = std::move(traced);
+    start_paint();
+}
+
+void Engine::start_paint() {
+    if (!traced_.frame) return;
+    PaintRequest request{traced_, state_.session.view, state_.session.width, state_.session.height,
+                         options_.legend_scale, 0};
+    const bool answers = traced_.generation >= trace_generation_ && traced_.generation > 0;
+    request.generation = answers ? state_.generation : traced_.generation;
+    painter_.submit([this, request](const std::stop_token&) {
+        std::shared_ptr<const Picture> picture;
+        std::string error;
+        try {
+            picture = std::make_shared<Picture>(paint(request, options_.font));
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        mailbox_.post([this, picture, error, view = request.view] {
+            if (picture) {
+                state_.picture = picture;
+                read_probes();
+                return;
+            }
+            say(true, error);
+            if (state_.picture && state_.session.view == view) {
+                Session back = state_.session;
+                back.view = state_.picture->view;
+                set_session(back);
+            }
+        });
+    });
+}
+
+void Engine::start_duel() {
+    if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (tracer_.busy() || painter_.busy() || duel_failed_at_ == trace_generation_) return;
+    const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
+    if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
+    duelling_ = true;
+    state_.duel.running = true;
+    tracer_.submit([this, request = trace_request(), generation = trace_generation_](const std::stop_token& stop) {
+        std::optional<DuelReply> reply;
+        std::string error;
+        double took = 0;
+        try {
+            took = 1e-3 * wall_ms([&] { reply = tracing_->duel(request, stop); });
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        mailbox_.post([this, reply, error, took, generation] {
+            duelling_ = state_.duel.running = false;
+            duel_ended_ = now();
+            duel_took_ = took;
+            if (!error.empty()) {
+                say(true, "timing: " + error);
+                duel_failed_at_ = generation;
+            }
+            if (reply && generation == trace_generation_) receive(*reply);
+        });
+    });
+}
+
+void Engine::receive(const DuelReply& reply) {
+    DuelState& duel = state_.duel;
+    if (duel_of_ != trace_generation_) {  // the first round of a frame warms up and is not counted
+        duel_of_ = trace_generation_;
+        duel_warm_ = true;
+        return;
+    }
+    if (duel_warm_) {
+        duel = DuelState{};
+        duel_warm_ = false;
+    }
+    duel.width = reply.width;
+    duel.height = reply.height;
+    duel.rays = reply.rays;
+    duel.cpu_clock = reply.cpu_clock;
+    duel.gl_clock = reply.gl_clock;
+    duel.add(reply.round);
+}
+
+void Engine::stop_duel() {
+    if (!duelling_) return;
+    duelling_ = state_.duel.running = false;
+    tracer_.cancel();
+}
+
+}  // namespace kd

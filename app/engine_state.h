@@ -1,0 +1,93 @@
+// What the engine knows at this moment. Panels read it; nothing in it changes while they do.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/engine_duel.h"
+#include "app/engine_pixel.h"
+#include "app/engine_world.h"
+#include "app/session.h"
+#include "renderer/trace/frame.h"
+#include "viz/figure.h"
+
+namespace kd {
+
+/// A frame as it was traced: all that painting and reading it need.
+struct TracedFrame {
+    std::shared_ptr<const World> world;
+    std::shared_ptr<const Frame> frame;
+    Camera camera;
+    TraceConfig config;
+    TracerKind tracer = TracerKind::cpu;
+    int scale = 1;            // 1 = every pixel of the picture, 8 = one of 8x8: a preview
+    double milliseconds = 0;  // of tracing alone
+    std::vector<std::string> left_out;
+    std::uint64_t generation = 0;  // EngineState::generation that it answers
+};
+
+/// A finished picture in 8 bits, with its legend.
+struct Picture {
+    Image<Rgba8> image;
+    Image<Rgba8> legend;  // empty where there is nothing to explain
+    ViewConfig view;
+    std::optional<MapSummary> summary;
+    TracedFrame traced;
+    std::uint64_t generation = 0;  // EngineState::generation that it answers
+};
+
+/// Work that goes on in the background.
+struct Progress {
+    bool active = false;
+    float fraction = 0;  // 0..1
+};
+
+/// A remark for people: an error, or what was changed by the program itself.
+struct Message {
+    bool error = false;
+    std::string text;
+    double time = 0;  // Engine::now() when it came
+};
+
+/// The GPU side as it was found.
+struct GlStatus {
+    bool known = false;       // opened, or found to be missing
+    std::string renderer;     // GL_RENDERER; empty where missing
+    std::string version;
+    bool software = false;
+    std::string unavailable;  // why there is none, one line
+    [[nodiscard]] bool available() const { return known && unavailable.empty(); }
+};
+
+/// Two ends of a line over the picture, in pixels of Session::width x height, with the depth of its node.
+struct ScreenLine {
+    float x0, y0, x1, y1;
+    int depth;
+};
+
+struct EngineState {
+    Session session;                       // what was asked for, corrected where it could not be had
+    std::uint64_t generation = 0;          // grows with every change of the session that changes the picture
+    std::shared_ptr<const World> world;    // scene and tree in use; null until the first is ready
+    Camera camera;                         // in use: the session's, or the scene's own
+    std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
+    Progress loading, building, tracing;
+    std::string loading_name;
+    GlStatus gl;
+    DuelState duel;
+    std::optional<PixelReading> hovered, pinned;
+    std::vector<ScreenLine> ray_cells;  // cells that the ray of the pinned or hovered pixel meets, while splits are shown
+    std::vector<Message> messages;      // newest last
+    double last_build_ms = 0;
+
+    /// The picture is not yet (all of) what the session asks for.
+    [[nodiscard]] bool stale() const {
+        return !picture || picture->generation != generation || picture->traced.scale != 1;
+    }
+    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active; }
+};
+
+}  // namespace kd

@@ -1,0 +1,120 @@
+#include "app/engine_tracing.h"
+
+#include <numeric>
+#include <utility>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/measure/ray_count.h"
+#include "renderer/measure/timing.h"
+#include "renderer/scene/needs.h"
+
+namespace kd {
+
+namespace {
+
+/// A duel's frame is made smaller until the CPU is predicted to need no more than this.
+constexpr double longest_duel_frame_ms = 500;
+
+}  // namespace
+
+const GlStatus& Tracing::open() {
+    if (status_.known) return status_;
+    status_.known = true;
+    try {
+        if (!open_gl_) throw ContextError("switched off");
+        context_ = open_gl_();
+        status_.renderer = context_->renderer();
+        status_.version = context_->version();
+        status_.software = context_->is_software();
+    } catch (const std::exception& error) {
+        status_.unavailable = error.what();
+    }
+    return status_;
+}
+
+FrameSource& Tracing::source(TracerKind kind) {
+    if (kind == TracerKind::cpu) {
+        if (!cpu_) cpu_ = make_cpu_source();
+        return *cpu_;
+    }
+    if (!open().available()) throw ContextError("GPU tracing needs OpenGL 4.3: " + status_.unavailable);
+    if (!gl_) gl_ = make_gl_source(*context_);
+    return *gl_;
+}
+
+void Tracing::forget_speed_of_others(const TraceRequest& request) {
+    const bool same = planned_for_.world == request.world && planned_for_.config == request.config &&
+                      planned_for_.tracer == request.tracer && planned_for_.threads == request.threads;
+    if (!same) plan_.reset();
+    planned_for_ = request;
+}
+
+void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
+                    const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress) {
+    forget_speed_of_others(request);
+    FrameSource& machine = source(request.tracer);
+    const FrameTask task{request.world, request.config, pinhole(request.camera, request.width, request.height),
+                         request.threads};
+    const SceneNeeds needs = scene_needs(request.world->scene(), request.config);
+    const std::vector<std::string> omitted = left_out(needs, request.world->scene(), request.config);
+
+    const int first = plan_.first(request.width, request.height);
+    for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {
+        const int width = scaled_size(request.width, scale);
+        const int height = scaled_size(request.height, scale);
+        const double predicted = plan_.predicted_ms(scale, request.width, request.height);
+        const bool at_once = scale == first && predicted > 0 && predicted < 2 * LevelPlan::first_frame_ms;
+        const std::shared_ptr<Frame> frame = frames_.take(width, height);
+        machine.prepare(task, width, height);
+        SourceTime time;
+        const double with_reading = wall_ms([&] {
+            time = machine.trace(task, *frame, at_once ? std::stop_token{} : stop, progress);
+            if (time.complete) machine.read(task, *frame);
+        });
+        if (!time.complete) return;
+        plan_.learn(with_reading, width * height);
+        publish({request.world, frame, request.camera, request.config, request.tracer, scale, time.total_ms, omitted,
+                 request.generation});
+        if (scale == 1 || stop.stop_requested()) return;
+    }
+}
+
+std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::stop_token& stop) {
+    int scale = 1;
+    while (scale < LevelPlan::coarsest && plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
+        scale *= 2;
+    DuelReply reply;
+    reply.width = scaled_size(request.width, scale);
+    reply.height = scaled_size(request.height, scale);
+    FrameTask task{request.world, request.config, pinhole(request.camera, request.width, request.height),
+                   request.threads};
+    if (counted_for_.generation != request.generation || counted_for_.width != reply.width) {
+        const RayCounts counts = count_rays(request.world->scene(), request.world->tree, task.config, task.camera,
+                                            reply.width, reply.height);
+        rays_ = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+        counted_for_ = request;
+        counted_for_.width = reply.width;
+    }
+    reply.rays = rays_;
+    task.config.counters = false;
+
+    const std::shared_ptr<Frame> scratch = frames_.take(reply.width, reply.height);
+    const auto time = [&](FrameSource& machine) {
+        machine.prepare(task, reply.width, reply.height);
+        return machine.trace(task, *scratch, stop, {});
+    };
+    const SourceTime cpu = time(source(TracerKind::cpu));
+    if (!cpu.complete) return std::nullopt;
+    reply.round.cpu_ms = cpu.total_ms;
+    reply.cpu_clock = cpu_->clock();
+    if (open().available()) {
+        const SourceTime gl = time(source(TracerKind::gl_fragment));
+        if (!gl.complete) return std::nullopt;
+        reply.round.gl_ms = gl.total_ms;
+        reply.round.pass_ms = gl.pass_ms;
+        reply.gl_clock = gl_->clock();
+    }
+    return reply;
+}
+
+}  // namespace kd

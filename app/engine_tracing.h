@@ -1,0 +1,68 @@
+// The tracing thread's work: pictures from coarse to fine, and the rounds of CPU against GPU.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "app/engine_duel.h"
+#include "app/engine_frame_pool.h"
+#include "app/engine_levels.h"
+#include "app/engine_source.h"
+#include "app/engine_state.h"
+
+namespace kd {
+
+/// Opens a GL context and makes it current on the calling thread. ContextError where there is none.
+using OpenGl = std::function<std::unique_ptr<Context>()>;
+
+struct TraceRequest {
+    std::shared_ptr<const World> world;
+    TraceConfig config;
+    TracerKind tracer = TracerKind::cpu;
+    Camera camera;
+    int width = 0, height = 0;
+    int threads = 0;
+    std::uint64_t generation = 0;
+};
+
+/// What a round of the duel needs to know and finds out.
+struct DuelReply {
+    DuelRound round;
+    int width = 0, height = 0;
+    std::int64_t rays = 0;
+    std::string cpu_clock, gl_clock;
+};
+
+/// Used by one thread alone, from open() to its destruction: the GL context belongs to that thread.
+class Tracing {
+  public:
+    explicit Tracing(OpenGl open_gl) : open_gl_(std::move(open_gl)) {}
+
+    /// Opens GL where there is some, once.
+    const GlStatus& open();
+
+    /// Frames of the request, coarse to fine, each handed to `publish`; ends early where stopped. InputError, GlError and
+    /// ContextError where the tracer cannot do it.
+    void trace(const TraceRequest& request, const std::stop_token& stop,
+               const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
+
+    /// One frame by each machine, without counters. Nothing where stopped.
+    std::optional<DuelReply> duel(const TraceRequest& request, const std::stop_token& stop);
+
+  private:
+    FrameSource& source(TracerKind kind);
+    void forget_speed_of_others(const TraceRequest& request);
+
+    OpenGl open_gl_;
+    GlStatus status_;
+    std::unique_ptr<Context> context_;  // before the source that lives in it
+    std::unique_ptr<FrameSource> cpu_, gl_;
+    FramePool frames_;
+    LevelPlan plan_;
+    TraceRequest planned_for_;
+    TraceRequest counted_for_;  // whose rays `rays_` are
+    std::int64_t rays_ = 0;
+};
+
+}  // namespace kd

@@ -1,0 +1,106 @@
+#include "app/panels/edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/camera_moves.h"
+#include "renderer/trace/traversal.h"
+#include "viz/colormap.h"
+
+namespace kd::edits {
+
+namespace {
+
+bool is_tile_map(const std::string& name) {
+    const MapInfo* map = find_map(name);
+    return map && map->over_tiles();
+}
+
+/// The entry after the one called `name`, round and round.
+template <class Table>
+std::string next_name(const Table& table, const std::string& name) {
+    const auto found = std::ranges::find_if(table, [&](const auto& entry) { return entry.name == name; });
+    const auto next = found == table.end() || std::next(found) == table.end() ? table.begin() : std::next(found);
+    return std::string(next->name);
+}
+
+}  // namespace
+
+void show_beauty(Edit& edit) { edit.session.view.show_map = false; }
+
+void show_heat(Edit& edit) {
+    edit.session.view.show_map = true;
+    if (is_tile_map(edit.session.view.map.map)) choose_map(edit, edit.window.heatmap);
+}
+
+void show_divergence(Edit& edit) {
+    edit.session.view.show_map = true;
+    if (!is_tile_map(edit.session.view.map.map)) choose_map(edit, "divergence");
+}
+
+void choose_map(Edit& edit, const std::string& map) {
+    ViewConfig& view = edit.session.view;
+    if (view.map.map == map) return;
+    view.map.map = map;
+    if (!is_tile_map(map)) edit.window.heatmap = map;
+    view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
+}
+
+void choose_scene(Edit& edit, const std::string& scene) {
+    edit.session.scene = scene;
+    edit.session.camera.reset();
+    edit.window.pinned.reset();
+}
+
+void next_traversal(Edit& edit) {
+    const auto all = traversals();
+    // The naive one can take minutes; it is a deliberate choice in its panel.
+    std::size_t i = std::size_t(edit.session.trace.traversal);
+    do i = (i + 1) % all.size();
+    while (all[i].id == Traversal::naive);
+    edit.session.trace.traversal = all[i].id;
+}
+
+void next_builder(Edit& edit) { edit.session.build.builder = next_name(builders(), edit.session.build.builder); }
+
+void next_map(Edit& edit) {
+    choose_map(edit, next_name(maps(), edit.session.view.map.map));
+    edit.session.view.show_map = true;
+}
+
+void next_colormap(Edit& edit) {
+    edit.session.view.heat.colormap = next_name(colormaps(), edit.session.view.heat.colormap);
+}
+
+void lock_range(const EngineState& state, Edit& edit, bool lock) {
+    HeatmapConfig& heat = edit.session.view.heat;
+    heat.range_mode = lock ? RangeMode::locked : RangeMode::automatic;
+    if (!lock || !state.picture || !state.picture->summary) return;
+    heat.range_min = state.picture->summary->range.min;
+    heat.range_max = state.picture->summary->range.max;
+}
+
+void switch_tracer(const EngineState& state, Edit& edit) {
+    if (!state.gl.available()) return;
+    edit.session.tracer = edit.session.tracer == TracerKind::cpu ? TracerKind::gl_fragment : TracerKind::cpu;
+}
+
+void pin(Edit& edit) {
+    edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered;
+}
+
+void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
+    if (!edit.window.pinned) return;
+    PixelPosition& p = *edit.window.pinned;
+    p.x = std::clamp(p.x + dx, 0, std::max(0, state.session.width - 1));
+    p.y = std::clamp(p.y + dy, 0, std::max(0, state.session.height - 1));
+}
+
+void focus(const EngineState& state, Edit& edit) {
+    const auto& reading = state.pinned ? state.pinned : state.hovered;
+    if (!reading || !state.picture || reading->primary().hit.triangle < 0) return;
+    const Vec3 direction = pixel_direction(state.camera, reading->pixel, state.session.width, state.session.height);
+    edit.session.camera = look_at(state.camera, state.camera.eye + direction * reading->primary().hit.t);
+}
+
+}  // namespace kd::edits

@@ -1,0 +1,65 @@
+// What panels and keys hand back: the session as it shall be, the window's own settings, and things to do once.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/engine_state.h"
+
+namespace kd {
+
+/// What a person has chosen about the window rather than about the picture.
+struct WindowSettings {
+    bool panels = true;
+    bool help = false;
+    bool timing = true;  // CPU against GPU while idle
+    bool legend = true;
+    std::optional<PixelPosition> pinned;
+    std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
+    std::string folder = ".";       // of exported files
+    float fly_speed = 1;            // times the scene's size per 4 seconds
+};
+
+enum class Command {
+    cancel_build,
+    dismiss_messages,
+    export_picture,  // the bare picture
+    export_figure,   // with legend, title and caption
+    export_window,   // with panels
+    export_csv,
+    export_json,
+};
+
+struct Edit {
+    Session session;
+    WindowSettings window;
+    std::vector<Command> commands;
+    std::optional<PixelPosition> hovered;  // under the mouse
+    std::string last_export;               // for people: the file written last
+
+    void do_once(Command command) { commands.push_back(command); }
+};
+
+/// Changes that panels and keys share.
+namespace edits {
+void show_beauty(Edit& edit);
+void show_heat(Edit& edit);
+void show_divergence(Edit& edit);
+void choose_map(Edit& edit, const std::string& map);
+void choose_scene(Edit& edit, const std::string& scene);
+void next_traversal(Edit& edit);
+void next_builder(Edit& edit);
+void next_map(Edit& edit);
+void next_colormap(Edit& edit);
+/// Keeps the range of the picture shown, or goes back to the automatic one.
+void lock_range(const EngineState& state, Edit& edit, bool lock);
+void switch_tracer(const EngineState& state, Edit& edit);
+/// The pixel under the mouse, or none where that is the one pinned already.
+void pin(Edit& edit);
+void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
+/// Puts the orbit centre where the pinned or hovered pixel's ray hit.
+void focus(const EngineState& state, Edit& edit);
+}  // namespace edits
+
+}  // namespace kd

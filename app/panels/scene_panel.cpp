@@ -1,0 +1,41 @@
+// SCENE: what is in it, and what loading had to change.
+#include <fmt/format.h>
+
+#include "app/panels/panel.h"
+#include "app/window/widgets.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+std::string size_text(const Aabb& bounds) {
+    const Vec3 d = bounds.extent();
+    return fmt::format("{} × {} × {}", number_text(double(d.x)), number_text(double(d.y)), number_text(double(d.z)));
+}
+
+bool takes_seed(const std::string& scene) { return scene.starts_with("scatter"); }
+
+}  // namespace
+
+void draw_scene_panel(const EngineState& state, Edit& edit) {
+    if (!state.world) {
+        widgets::note("loading");
+        return;
+    }
+    const FlatScene& scene = state.world->scene();
+    widgets::value("triangles", number_text(double(scene.triangles.size())), "After placing all meshes in the world.");
+    widgets::value("lights", number_text(double(scene.lights.size())), "Each light costs one shadow ray per hit.");
+    widgets::value("materials", number_text(double(scene.materials.size())),
+                   "A reflective material makes the reflection passes necessary.");
+    if (!scene.textures.empty()) widgets::value("textures", number_text(double(scene.textures.size())), "Images on surfaces.");
+    widgets::value("size", size_text(scene.bounds), "Extent of all triangles along x, y and z, in scene units.");
+    if (takes_seed(edit.session.scene)) {
+        int seed = int(edit.session.seed);
+        if (widgets::slider("seed", seed, 1, 100, "%d", "Another arrangement of the same number of triangles."))
+            edit.session.seed = unsigned(seed);
+    }
+    for (const std::string& note : scene.notes) widgets::note(note);
+}
+
+}  // namespace kd

@@ -1,0 +1,43 @@
+// A session carried out: scene, tree, frame, and the figure that shows them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/common_options.h"
+#include "app/frame_tracer.h"
+#include "renderer/io/png.h"
+#include "renderer/kdtree/stats.h"
+#include "viz/text.h"
+
+namespace kd {
+
+struct Rendering {
+    Session session;  // its camera is set
+    FlatScene scene;
+    KdTree tree;
+    BuildReport build;
+    TreeStats stats;
+    Frame frame;
+    FrameTime time;
+    std::string renderer, clock;
+    bool software_gl = false;
+    std::vector<std::string> left_out;  // what scene and settings do not need
+};
+
+/// Loads, builds and traces with progress on the context's terminal. InputError, ContextError, Interrupted.
+[[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
+
+/// "Interior nodes visited, primary rays", or the scene's name where no map is shown.
+[[nodiscard]] std::string title_of(const Rendering& rendering, const ViewConfig& view);
+
+/// Scene, configuration, renderer and time in one line.
+[[nodiscard]] std::string caption_of(const Rendering& rendering);
+
+/// Writes what `view` shows: the bare picture, or with `legend` the figure with title, legend and caption. The settings
+/// stand in the file's text. InputError.
+void write_picture(const std::string& path, const Rendering& rendering, const ViewConfig& view, bool legend,
+                   const Font& font);
+
+}  // namespace kd

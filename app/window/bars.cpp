@@ -1,0 +1,167 @@
+#include "app/window/bars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/assets.h"
+#include "app/machine_info.h"
+#include "app/window/theme.h"
+#include "app/window/widgets.h"
+#include "renderer/scene/procedural.h"
+#include "renderer/trace/traversal.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+struct SceneChoice {
+    std::string name, summary;
+};
+
+/// The procedural scenes at a few sizes, then the files that come with the program.
+std::vector<SceneChoice> scene_choices() {
+    std::vector<SceneChoice> choices;
+    for (const ProceduralScene& scene : procedural_scenes()) {
+        const std::string base(scene.name);
+        const std::string summary(scene.summary);
+        if (scene.default_size == 0) {
+            choices.push_back({base, summary});
+            continue;
+        }
+        for (const int size : {scene.default_size, 10 * scene.default_size})
+            if (size <= scene.largest_size) choices.push_back({fmt::format("{}:{}", base, size), summary});
+    }
+    for (const auto& file : shipped_scenes()) choices.push_back({file.filename().string(), "A file that comes with the program."});
+    return choices;
+}
+
+void draw_scene_combo(Edit& edit) {
+    const float width = theme::px(190);
+    ImGui::SetNextItemWidth(width);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {1e4f, theme::px(480)});
+    if (ImGui::BeginCombo("##scene", edit.session.scene.c_str(), ImGuiComboFlags_HeightLargest)) {
+        for (const SceneChoice& choice : scene_choices()) {
+            if (ImGui::Selectable(choice.name.c_str(), choice.name == edit.session.scene)) edits::choose_scene(edit, choice.name);
+            widgets::hint(choice.summary);
+        }
+        ImGui::EndCombo();
+    } else {
+        widgets::hint("The scene. Files can be dropped onto the window: .gltf or .glb.");
+    }
+}
+
+void draw_modes(Edit& edit) {
+    const ViewConfig& view = edit.session.view;
+    const MapInfo* map = find_map(view.map.map);
+    const bool tiles = map && map->over_tiles();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, 0});
+    if (widgets::segment("Beauty", !view.show_map, "The image alone. Key H.")) edits::show_beauty(edit);
+    ImGui::SameLine();
+    if (widgets::segment("Heat", view.show_map && !tiles, "What each pixel's rays cost. Key H.")) edits::show_heat(edit);
+    ImGui::SameLine();
+    if (widgets::segment("Divergence", view.show_map && tiles, "What pixels lose by waiting for their neighbours in a SIMD group. Key D."))
+        edits::show_divergence(edit);
+    ImGui::PopStyleVar();
+    ImGui::SameLine(0, theme::px(12));
+    if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
+        edit.session.view.overlay.show = !view.overlay.show;
+}
+
+std::string machines_text(const EngineState& state) {
+    const std::string gpu = !state.gl.known        ? "not looked for yet"
+                            : state.gl.available() ? state.gl.renderer + ", OpenGL " + state.gl.version
+                                                   : "none: " + state.gl.unavailable;
+    return fmt::format("The picture is traced on the {}. Click or V: the other machine.\n\nCPU: {}\nGPU: {}",
+                       state.session.tracer == TracerKind::cpu ? "CPU" : "GPU", cpu_renderer(state.session.threads), gpu);
+}
+
+/// "CPU, stack" or "GPU, restart", in its accent, and on what.
+void draw_badge(const EngineState& state, Edit& edit) {
+    const bool cpu = state.session.tracer == TracerKind::cpu;
+    const std::string what = fmt::format("{} · {}", cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU", info(state.session.trace.traversal).name);
+    const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = ImGui::CalcTextSize(what.c_str()).x + theme::px(24);
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - help - theme::px(24)));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("##badge", {width, ImGui::GetFrameHeight()})) edits::switch_tracer(state, edit);
+    if (ImGui::IsItemHovered()) widgets::hint(machines_text(state));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = corner.y + ImGui::GetFrameHeight() / 2;
+    list.AddCircleFilled({corner.x + theme::px(7), middle}, theme::px(4), cpu ? theme::cpu : theme::gpu);
+    list.AddText({corner.x + theme::px(18), middle - ImGui::GetFontSize() / 2}, theme::text, what.c_str());
+    ImGui::SameLine(ImGui::GetWindowWidth() - help - theme::px(8));
+    if (ImGui::Button("?")) edit.window.help = !edit.window.help;
+    widgets::hint("All keys. Key F1.");
+}
+
+std::string status_text(const EngineState& state) {
+    if (state.loading.active) return "loading " + state.loading_name;
+    if (!state.picture) return "starting";
+    const TracedFrame& traced = state.picture->traced;
+    const double rays = double(traced.frame->width) * double(traced.frame->height);
+    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms", state.session.width, state.session.height,
+                       number_text(rays), number_text(traced.milliseconds), number_text(state.last_build_ms));
+}
+
+/// The bar of the work that takes longest now.
+void draw_work(const EngineState& state, Edit& edit) {
+    const bool building = state.building.active;
+    if (!building && !state.tracing.active) return;
+    const float fraction = building ? state.building.fraction : state.tracing.fraction;
+    ImGui::SameLine(0, theme::px(16));
+    ImGui::SetNextItemWidth(theme::px(150));
+    ImGui::ProgressBar(fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
+                       fmt::format("{} {:.0f} %", building ? "building" : "refining", 100 * fraction).c_str());
+    if (!building) return;
+    ImGui::SameLine();
+    if (ImGui::SmallButton("cancel")) edit.do_once(Command::cancel_build);
+}
+
+}  // namespace
+
+void begin_area(const char* name, const Rectangle& area, ImVec2 padding) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(2);
+}
+
+void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
+    begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)});
+    ImGui::PushFont(theme::font(theme::Type::heading));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("kdscope");
+    ImGui::PopFont();
+    ImGui::SameLine(0, theme::px(16));
+    draw_scene_combo(edit);
+    ImGui::SameLine(0, theme::px(16));
+    draw_modes(edit);
+    draw_badge(state, edit);
+    ImGui::End();
+}
+
+void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {
+    begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
+    ImGui::TextUnformatted(status_text(state).c_str());
+    ImGui::PopStyleColor();
+    draw_work(state, edit);
+    const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys";
+    const float width = ImGui::CalcTextSize(hint).x;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() < area.width - width - theme::px(24)) {
+        ImGui::SetCursorPosX(area.width - width - theme::px(12));
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
+        ImGui::TextUnformatted(hint);
+        ImGui::PopStyleColor();
+    }
+    ImGui::End();
+}
+
+}  // namespace kd

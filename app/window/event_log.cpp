@@ -1,0 +1,35 @@
+#include "app/window/event_log.h"
+
+#include <fmt/format.h>
+
+#include "renderer/geometry/input_error.h"
+
+namespace kd {
+
+EventLog::EventLog(const std::string& path) {
+    if (path.empty()) return;
+    file_.open(path);
+    if (!file_) throw InputError("KDSCOPE_EVENT_LOG: cannot write '" + path + "'; name a file in a folder that exists");
+    file_ << "event,kind,t_event_ms,t_frame_ms,latency_ms\n";
+}
+
+void EventLog::input(const char* kind, double now) {
+    if (file_.is_open()) waiting_.push_back({++count_, kind, now});
+}
+
+void EventLog::applied(std::uint64_t generation) {
+    for (Event& event : waiting_)
+        if (event.generation == 0) event.generation = generation;
+}
+
+void EventLog::presented(const Picture* picture, double now) {
+    const std::uint64_t shown = picture ? picture->generation : 0;
+    std::erase_if(waiting_, [&](const Event& e) {
+        if (e.generation == 0 || e.generation > shown) return false;
+        file_ << fmt::format("{},{},{:.2f},{:.2f},{:.2f}\n", e.id, e.kind, 1e3 * e.time, 1e3 * now, 1e3 * (now - e.time));
+        return true;
+    });
+    if (file_.is_open()) file_.flush();
+}
+
+}  // namespace kd

@@ -1,0 +1,39 @@
+// How long people wait: the time from every input to the frame that answers it, as a CSV file.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "app/engine_state.h"
+
+namespace kd {
+
+/// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is (at
+/// least a preview) of the session that the event led to.
+class EventLog {
+  public:
+    /// Throws InputError where `path` cannot be written; empty: off.
+    explicit EventLog(const std::string& path);
+
+    /// An input came; `now` in seconds on the engine's clock.
+    void input(const char* kind, double now);
+    /// All inputs so far are part of the session with this generation.
+    void applied(std::uint64_t generation);
+    /// A frame that shows `picture` is on the screen.
+    void presented(const Picture* picture, double now);
+
+  private:
+    struct Event {
+        std::int64_t id;
+        const char* kind;
+        double time;
+        std::uint64_t generation = 0;  // 0: not applied yet
+    };
+    std::ofstream file_;
+    std::vector<Event> waiting_;
+    std::int64_t count_ = 0;
+};
+
+}  // namespace kd

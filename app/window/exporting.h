@@ -1,0 +1,25 @@
+// Files of what is shown. Names count up, so that nothing is overwritten.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/panels/edit.h"
+#include "viz/text.h"
+
+namespace kd {
+
+/// `folder`/kdscope-N`extension` with the least N for which no kdscope-N file of any kind is there.
+[[nodiscard]] std::filesystem::path next_file(const std::filesystem::path& folder, const std::string& extension);
+
+/// Settings, tree, machine, times and counter totals of the picture shown.
+[[nodiscard]] nlohmann::ordered_json summary_json(const EngineState& state);
+
+/// Everything but Command::export_window. Returns the path written. InputError.
+[[nodiscard]] std::filesystem::path export_file(Command what, const EngineState& state, const std::string& folder, const Font& font);
+
+/// A picture of the whole window, rows from the top. InputError.
+[[nodiscard]] std::filesystem::path export_window(const Image<Rgba8>& window, const EngineState& state, const std::string& folder);
+
+}  // namespace kd

@@ -1,0 +1,97 @@
+#include "app/window/glfw_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "app/command.h"
+
+namespace kd {
+
+namespace {
+
+constexpr int least_width = 960, least_height = 600;
+constexpr float least_scale = 0.75f, largest_scale = 4;
+
+/// The context of a window that nobody sees. Current from its making to its end, on one thread.
+class HiddenContext final : public Context {
+  public:
+    explicit HiddenContext(GLFWwindow* window) : Context(ContextKind::adopted), window_(window) {
+        HiddenContext::make_current();
+        load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+    }
+    ~HiddenContext() override { glfwMakeContextCurrent(nullptr); }
+    HiddenContext(const HiddenContext&) = delete;
+    HiddenContext& operator=(const HiddenContext&) = delete;
+
+    void make_current() override { glfwMakeContextCurrent(window_); }
+
+  private:
+    GLFWwindow* window_;
+};
+
+std::string glfw_error() {
+    const char* text = nullptr;
+    return glfwGetError(&text) != GLFW_NO_ERROR && text ? text : "GLFW gives no reason";
+}
+
+/// The first of the versions that there is; null where none is.
+GLFWwindow* try_versions(const std::string& title, int width, int height, std::initializer_list<std::pair<int, int>> versions) {
+    for (const auto& [major, minor] : versions) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr)) return window;
+    }
+    return nullptr;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    const std::string reason = glfw_error();
+    glfwTerminate();
+    throw NoDisplay(what + ": " + reason + "; `kdscope render SCENE -o F.png` makes pictures without a window");
+}
+
+}  // namespace
+
+GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
+    if (!glfwInit()) refuse("cannot open a window");
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = try_versions(title, width, height, {{4, 3}, {3, 3}});
+    if (!window_) refuse("cannot open a window with OpenGL 3.3");
+    glfwSetWindowSizeLimits(window_, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    tracing_ = try_versions(title, 16, 16, {{4, 6}, {4, 5}, {4, 3}});
+    if (!tracing_) refused_ = "OpenGL 4.3 is not there: " + glfw_error();
+}
+
+GlfwWindow::~GlfwWindow() {
+    if (tracing_) glfwDestroyWindow(tracing_);
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+float GlfwWindow::content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    float scale = std::max(x, y);
+    if (const char* text = std::getenv("KDSCOPE_SCALE")) std::from_chars(text, text + std::strlen(text), scale);
+    return std::clamp(scale, least_scale, largest_scale);
+}
+
+std::function<std::unique_ptr<Context>()> GlfwWindow::tracing_context() const {
+    return [window = tracing_, why = refused_]() -> std::unique_ptr<Context> {
+        if (!window) throw ContextError(why);
+        return std::make_unique<HiddenContext>(window);
+    };
+}
+
+}  // namespace kd

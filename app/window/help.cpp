@@ -1,0 +1,79 @@
+#include "app/window/help.h"
+
+#include <imgui.h>
+#include <string_view>
+
+#include "app/window/keys.h"
+#include "app/window/theme.h"
+
+namespace kd {
+
+namespace {
+
+void heading(const char* text) {
+    ImGui::Dummy({0, theme::px(4)});
+    ImGui::PushFont(theme::font(theme::Type::heading));
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+void row(const char* label, const char* title, float width) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::cpu);
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + width);
+    ImGui::TextUnformatted(title);
+}
+
+/// The groups of the table, each under its heading; `first` and `last` count groups.
+void draw_keys(int first, int last) {
+    std::string_view group;
+    int number = -1;
+    for (const KeyBinding& binding : key_bindings()) {
+        const bool begins = binding.group != group;
+        group = binding.group;
+        number += begins ? 1 : 0;
+        if (number < first || number > last) continue;
+        if (begins) heading(binding.group);
+        row(binding.label, binding.title, theme::px(56));
+    }
+}
+
+void draw_gestures() {
+    heading("Mouse");
+    for (const Gesture& gesture : gestures()) row(gesture.label, gesture.title, theme::px(136));
+}
+
+}  // namespace
+
+void draw_help(Edit& edit) {
+    if (!edit.window.help) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({theme::px(620), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(24), theme::px(16)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme::px(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(36, 36, 41, 250));
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("##help", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Columns(2, "keys", false);
+    ImGui::SetColumnWidth(0, theme::px(290));
+    draw_keys(0, 1);
+    ImGui::NextColumn();
+    draw_gestures();
+    draw_keys(2, 99);
+    ImGui::Columns(1);
+    ImGui::Dummy({0, theme::px(8)});
+    const bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
+    if (ImGui::Button("close", {theme::px(96), 0}) || outside) edit.window.help = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+}  // namespace kd

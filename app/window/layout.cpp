@@ -1,0 +1,80 @@
+#include "app/window/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/theme.h"
+
+namespace kd {
+
+namespace {
+
+constexpr float top_height = 36, status_height = 24, splitter = 4;
+constexpr float least_column = 200, least_bottom = 84;
+
+/// An invisible handle between two areas. Returns how far it was dragged.
+float handle(const char* id, Rectangle r, bool upright) {
+    ImGui::SetNextWindowPos({r.x, r.y});
+    ImGui::SetNextWindowSize({r.width, r.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::InvisibleButton(id, {r.width, r.height});
+    const bool active = ImGui::IsItemActive();
+    if (active || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.width, r.y + r.height}, active ? theme::dim_text : theme::bright);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    if (!active) return 0;
+    return upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+}
+
+}  // namespace
+
+Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels) {
+    const float top = std::round(top_height * scale);
+    const float status = std::round(status_height * scale);
+    const float gap = panels ? splitter * scale : 0;
+    const float inner = std::max(1.0f, height - top - status);
+    float left = 0, right = 0, bottom = 0;
+    if (panels) {
+        const float columns = 0.6f * width - 2 * gap;
+        left = std::max(least_column * scale, sizes.left * scale);
+        right = std::max(least_column * scale, sizes.right * scale);
+        if (const float excess = (left + right) / std::max(1.0f, columns); excess > 1) {
+            left /= excess;
+            right /= excess;
+        }
+        bottom = std::clamp(sizes.bottom * scale, least_bottom * scale, std::max(least_bottom * scale, 0.7f * inner));
+        left = std::round(left);
+        right = std::round(right);
+        bottom = std::round(bottom);
+    }
+    const float body = std::max(1.0f, inner - bottom - gap);
+    Layout layout;
+    layout.top = {0, 0, width, top};
+    layout.left = {0, top, left, body};
+    layout.picture = {left + gap, top, std::max(1.0f, width - left - right - 2 * gap), body};
+    layout.right = {width - right, top, right, body};
+    layout.bottom = {0, top + body + gap, width, bottom};
+    layout.status = {0, height - status, width, status};
+    return layout;
+}
+
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale) {
+    const LayoutSizes before = sizes;
+    const float gap = splitter * scale;
+    const Rectangle& p = layout.picture;
+    sizes.left += handle("##left splitter", {p.x - gap, p.y, gap, p.height}, true) / scale;
+    sizes.right -= handle("##right splitter", {p.x + p.width, p.y, gap, p.height}, true) / scale;
+    sizes.bottom -= handle("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false) / scale;
+    sizes.left = std::clamp(sizes.left, least_column, 800.0f);
+    sizes.right = std::clamp(sizes.right, least_column, 800.0f);
+    sizes.bottom = std::clamp(sizes.bottom, least_bottom, 600.0f);
+    return sizes != before;
+}
+
+}  // namespace kd

@@ -1,0 +1,30 @@
+// Where everything stands: columns that never overlap, with splitters between them.
+#pragma once
+
+#include <imgui.h>
+
+namespace kd {
+
+struct Rectangle {
+    float x = 0, y = 0, width = 0, height = 0;
+    [[nodiscard]] bool contains(ImVec2 p) const { return p.x >= x && p.y >= y && p.x < x + width && p.y < y + height; }
+};
+
+/// Sizes that a person can drag, in pixels at scale 1.
+struct LayoutSizes {
+    float left = 248, right = 224, bottom = 116;
+    bool operator==(const LayoutSizes&) const = default;
+};
+
+struct Layout {
+    Rectangle top, left, picture, right, bottom, status;
+};
+
+/// Divides the window. `panels` off gives everything but the top and status line to the picture. The picture keeps at least
+/// 40 % of the width and 30 % of the height, whatever the sizes say.
+[[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels);
+
+/// The three splitters; true while one is dragged, which changes `sizes`.
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale);
+
+}  // namespace kd

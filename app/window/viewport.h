@@ -1,0 +1,43 @@
+// The picture with what lies over it, and the mouse on it.
+#pragma once
+
+#include "app/panels/edit.h"
+#include "app/window/layout.h"
+#include "app/window/picture_texture.h"
+
+namespace kd {
+
+class Viewport {
+  public:
+    explicit Viewport(const GlApi& gl) : image_(gl), legend_(gl) {}
+
+    /// Draws the newest picture into `area` and turns what the mouse does there into edits: the picture's size, the camera,
+    /// the pixel under the mouse, the pinned one. `seconds` since the frame before, for flying.
+    void draw(const Rectangle& area, const EngineState& state, double now, float seconds, Edit& edit);
+
+    /// The right button is held over the picture: letters fly and are no commands.
+    [[nodiscard]] bool flying() const { return flying_; }
+
+  private:
+    void update_textures(const EngineState& state);
+    void handle_mouse(const Rectangle& area, const EngineState& state, Edit& edit);
+    void handle_drag(const Rectangle& area, const EngineState& state, Edit& edit);
+    void handle_click(const EngineState& state, Edit& edit);
+    void handle_flight(const EngineState& state, float seconds, Edit& edit);
+    void draw_legend(const Rectangle& area, const Edit& edit) const;
+
+    PictureTexture image_, legend_;
+    std::shared_ptr<const Picture> uploaded_;
+    bool flying_ = false;
+    float dragged_ = 0;  // pixels since the button went down
+    std::optional<PixelPosition> pinned_before_click_;
+    double stale_since_ = -1;
+};
+
+/// Crosshair of the pinned pixel and the cells along its ray. `scale` is window pixels per picture pixel.
+void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale);
+
+/// Remarks of the last seconds, in the picture's top left corner.
+void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now);
+
+}  // namespace kd

@@ -1,0 +1,66 @@
+// What is drawn over the picture: readable on light and on dark pixels, by a dark outline.
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/theme.h"
+#include "app/window/viewport.h"
+
+namespace kd {
+
+namespace {
+
+constexpr double note_seconds = 6, error_seconds = 15;
+
+void outlined_line(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour, float width) {
+    list.AddLine(a, b, theme::outline, width + theme::px(2));
+    list.AddLine(a, b, colour, width);
+}
+
+void draw_crosshair(ImDrawList& list, ImVec2 at) {
+    const float gap = theme::px(6);
+    const float arm = theme::px(18);
+    const float width = theme::px(1.5f);
+    for (const ImVec2 d : {ImVec2{1, 0}, ImVec2{-1, 0}, ImVec2{0, 1}, ImVec2{0, -1}})
+        outlined_line(list, {at.x + d.x * gap, at.y + d.y * gap}, {at.x + d.x * arm, at.y + d.y * arm}, theme::selected, width);
+    list.AddCircle(at, gap, theme::outline, 0, width + theme::px(2));
+    list.AddCircle(at, gap, theme::selected, 0, width);
+}
+
+ImU32 colour_of(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+
+}  // namespace
+
+void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale) {
+    const int deepest = state.world ? std::max(1, state.world->stats.deepest) : 1;
+    list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
+    for (const ScreenLine& line : state.ray_cells) {
+        const ImVec2 a{area.x + line.x0 * scale.x, area.y + line.y0 * scale.y};
+        const ImVec2 b{area.x + line.x1 * scale.x, area.y + line.y1 * scale.y};
+        outlined_line(list, a, b, colour_of(depth_colour(line.depth, deepest)), theme::px(1));
+    }
+    if (edit.window.pinned) {
+        const ImVec2 at{area.x + (float(edit.window.pinned->x) + 0.5f) * scale.x, area.y + (float(edit.window.pinned->y) + 0.5f) * scale.y};
+        draw_crosshair(list, at);
+    }
+    list.PopClipRect();
+}
+
+void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now) {
+    const float margin = theme::px(12);
+    const float padding = theme::px(8);
+    const float wrap = std::min(theme::px(420), area.width - 2 * margin - 2 * padding);
+    float y = area.y + margin;
+    for (const Message& message : state.messages) {
+        if (now - message.time > (message.error ? error_seconds : note_seconds)) continue;
+        const char* text = message.text.c_str();
+        const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+        const ImVec2 low{area.x + margin, y};
+        const ImVec2 high{low.x + size.x + 2 * padding + theme::px(4), low.y + size.y + 2 * padding};
+        list.AddRectFilled(low, high, theme::faded(theme::background, 0.92f), theme::px(3));
+        list.AddRectFilled(low, {low.x + theme::px(4), high.y}, message.error ? theme::error : theme::dim_text, theme::px(3));
+        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + padding + theme::px(4), low.y + padding}, theme::text, text, nullptr, wrap);
+        y = high.y + theme::px(4);
+    }
+}
+
+}  // namespace kd

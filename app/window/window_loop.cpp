@@ -1,0 +1,244 @@
+#include "app/window/window_loop.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "app/panels/panel.h"
+#include "app/rendering.h"
+#include "app/window/bars.h"
+#include "app/window/exporting.h"
+#include "app/window/help.h"
+#include "app/window/keys.h"
+#include "app/window/theme.h"
+
+namespace kd {
+
+namespace {
+
+constexpr double resting_wait_s = 0.25, working_wait_s = 0.03;
+constexpr int frames_after_input = 3;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+double exit_after_s() {
+    const std::string text = variable("KDSCOPE_EXIT_AFTER_S");
+    double seconds = std::numeric_limits<double>::infinity();
+    std::from_chars(text.data(), text.data() + text.size(), seconds);
+    return seconds;
+}
+
+WindowLoop& loop_of(GLFWwindow* window) { return *static_cast<WindowLoop*>(glfwGetWindowUserPointer(window)); }
+
+/// Before Dear ImGui installs its own, which call these on.
+void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
+    glfwSetWindowUserPointer(window, &loop);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        loop_of(w).on_input("key");
+        if (action != GLFW_RELEASE) loop_of(w).on_key(key, modifiers);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("move"); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { loop_of(w).on_input("button"); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("scroll"); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { loop_of(w).on_input("resize"); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) loop_of(w).on_drop(paths[0]);
+    });
+}
+
+}  // namespace
+
+WindowLoop::WindowLoop(GlfwWindow& window, const Session& start)
+    : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")), state_file_(variable("KDSCOPE_STATE_FILE")) {
+    (void)gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+    install_callbacks(window.handle(), *this);
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    theme::apply(window.content_scale());
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+
+    EngineOptions options;
+    options.open_gl = window.tracing_context();
+    options.wake = [] { glfwPostEmptyEvent(); };
+    options.font = font_;
+    options.legend_scale = std::max(1, int(window.content_scale() + 0.5f));
+    Session session = start;
+    int width = 0, height = 0;
+    glfwGetWindowSize(window.handle(), &width, &height);
+    layout_ = divide(float(width), float(height), sizes_, window.content_scale(), true);
+    session.width = int(layout_.picture.width);
+    session.height = int(layout_.picture.height);
+    engine_ = std::make_unique<Engine>(session, std::move(options));
+    viewport_ = std::make_unique<Viewport>(gl_);
+}
+
+WindowLoop::~WindowLoop() {
+    engine_.reset();
+    viewport_.reset();
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void WindowLoop::on_input(const char* kind) {
+    log_.input(kind, engine_->now());
+    engine_->note_input();
+    lively_frames_ = frames_after_input;
+}
+
+void WindowLoop::on_key(int key, int modifiers) { keys_.push_back({key, modifiers}); }
+
+void WindowLoop::on_drop(const std::string& path) {
+    on_input("drop");
+    dropped_.push_back(path);
+}
+
+bool WindowLoop::resting() const { return lively_frames_ <= 0; }
+
+void WindowLoop::wait() const {
+    if (!resting()) {
+        glfwPollEvents();
+        return;
+    }
+    const EngineState& state = engine_->state();
+    glfwWaitEventsTimeout(state.working() || state.stale() ? working_wait_s : resting_wait_s);
+}
+
+void WindowLoop::run(const std::stop_token& stop) {
+    const std::stop_callback wake(stop, [] { glfwPostEmptyEvent(); });
+    const double end = exit_after_s();
+    while (!glfwWindowShouldClose(window_.handle()) && !stop.stop_requested() && engine_->now() < end) {
+        wait();
+        const bool news = engine_->poll();
+        if (news) lively_frames_ = std::max(lively_frames_, 1);
+        const bool moving = engine_->state().working() || !engine_->state().messages.empty();
+        if (lively_frames_ > 0 || moving) draw_frame();
+        --lively_frames_;
+    }
+}
+
+void WindowLoop::draw_frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    const double now = engine_->now();
+    const auto seconds = float(now - last_frame_);
+    last_frame_ = now;
+    edit_.session = engine_->state().session;
+    edit_.commands.clear();
+    apply_keys();
+
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (size.x >= 1 && size.y >= 1) {  // nothing to see of a minimised window
+        const float scale = theme::px(100) / 100;
+        layout_ = divide(size.x, size.y, sizes_, scale, edit_.window.panels);
+        viewport_->draw(layout_.picture, engine_->state(), now, seconds, edit_);
+        draw_panels(layout_);
+        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale);
+        draw_help(edit_);
+    }
+    apply_edit();
+
+    ImGui::Render();
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_.handle(), &width, &height);
+    gl_.Viewport(0, 0, width, height);
+    gl_.ClearColor(0.07f, 0.07f, 0.08f, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (std::exchange(window_export_, false)) write_files(Command::export_window);
+    const std::shared_ptr<const Picture> shown = engine_->state().picture;
+    glfwSwapBuffers(window_.handle());
+    log_.presented(shown.get(), engine_->now());
+    state_file_.update(engine_->state(), edit_, layout_.picture, true);
+}
+
+void WindowLoop::draw_panels(const Layout& layout) {
+    const EngineState& state = engine_->state();
+    draw_top_bar(layout.top, state, edit_);
+    draw_status_line(layout.status, state, edit_);
+    if (!edit_.window.panels) return;
+    const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
+        begin_area(name, area, {theme::px(12), theme::px(8)});
+        for (const Panel& panel : panels()) {
+            if (panel.place != place) continue;
+            const ImGuiTreeNodeFlags flags = panel.open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+            const bool foldable = place != PanelPlace::bottom;
+            if (foldable && !ImGui::CollapsingHeader(panel.title, flags)) continue;
+            ImGui::PushID(panel.title);
+            panel.draw(state, edit_);
+            ImGui::PopID();
+            ImGui::Dummy({0, theme::px(4)});
+        }
+        ImGui::End();
+    };
+    draw_column("##left", layout.left, PanelPlace::left);
+    draw_column("##right", layout.right, PanelPlace::right);
+    draw_column("##bottom", layout.bottom, PanelPlace::bottom);
+}
+
+void WindowLoop::apply_keys() {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    for (const KeyPress& press : keys_)
+        if (!typing && !viewport_->flying()) apply_key(press.key, press.modifiers, engine_->state(), edit_);
+    keys_.clear();
+    for (const std::string& path : dropped_) edits::choose_scene(edit_, path);
+    dropped_.clear();
+}
+
+void WindowLoop::apply_edit() {
+    engine_->set_session(edit_.session);
+    engine_->set_probes(edit_.hovered, edit_.window.pinned);
+    engine_->allow_duel(edit_.window.timing);
+    log_.applied(engine_->state().generation);
+    for (const Command command : edit_.commands) carry_out(command);
+}
+
+void WindowLoop::carry_out(Command command) {
+    switch (command) {
+        case Command::cancel_build: engine_->cancel_build(); break;
+        case Command::dismiss_messages: engine_->dismiss_messages(); break;
+        case Command::export_window: window_export_ = true; break;  // when the frame is drawn
+        default: write_files(command);
+    }
+}
+
+void WindowLoop::write_files(Command command) {
+    if (!engine_->state().picture) return;
+    try {
+        const std::string& folder = edit_.window.folder;
+        const auto path = command == Command::export_window ? export_window(read_window(), engine_->state(), folder)
+                                                            : export_file(command, engine_->state(), folder, font_);
+        edit_.last_export = path.string();
+        engine_->say(false, "wrote " + path.string());
+    } catch (const std::exception& error) {
+        engine_->say(true, error.what());
+    }
+    lively_frames_ = frames_after_input;
+}
+
+Image<Rgba8> WindowLoop::read_window() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_.handle(), &width, &height);
+    Image<Rgba8> upside_down(width, height);
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels.data());
+    Image<Rgba8> image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            image.at(x, y) = upside_down.at(x, height - 1 - y);
+            image.at(x, y).a = 255;
+        }
+    return image;
+}
+
+}  // namespace kd

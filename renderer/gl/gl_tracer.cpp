@@ -1,0 +1,128 @@
+#include "renderer/gl/gl_tracer.h"
+
+#include <algorithm>
+
+#include "renderer/gl/gl_tracer_impl.h"
+#include "renderer/gl/state_guard.h"
+
+namespace kd {
+
+namespace {
+
+GlLimits limits_of(const GlApi& gl)
+{
+    GLint texels = 0;
+    GLint size = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    return {texels, size};
+}
+
+} // namespace
+
+GlTracer::Impl::Impl(Context& context)
+    : gl(context.gl()), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
+      no_vertices(gl), frame_block(gl), shaded_counter(gl)
+{
+    gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, shaded_counter.id());
+    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
+    check_gl(gl, "making a tracer");
+}
+
+SceneUpload& GlTracer::Impl::scene()
+{
+    if (!uploaded) throw GlError("OpenGL: no scene has been uploaded");
+    return *uploaded;
+}
+
+SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config)
+{
+    return scene_needs(scene().scene(), config);
+}
+
+ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config)
+{
+    ProgramSettings settings;
+    settings.trace = config;
+    settings.needs = needs_of(config);
+    settings.limited_loops = software;
+    settings.stack_size = scene().stack_size();
+    return settings;
+}
+
+GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings)
+{
+    return programs.get(program_key(step, settings)).id();
+}
+
+void GlTracer::Impl::draw_quad() const
+{
+    gl.BindVertexArray(no_vertices.id());
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height)
+{
+    check_image(width, height, limits);
+    const SceneNeeds needs = needs_of(config);
+    scene().prepare(config, needs);
+    const TargetKey key{width, height, config.counters, std::min(needs.reflections ? needs.bounces : 0, 2)};
+    if (targets.key() == key) return;
+    targets = FrameTargets(); // lets go of the old ones first
+    targets = FrameTargets(gl, key);
+}
+
+void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture)
+{
+    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+}
+
+GlTracer::GlTracer(Context& context) : impl_(std::make_unique<Impl>(context)) {}
+
+GlTracer::~GlTracer() = default;
+
+void GlTracer::upload(const FlatScene& scene, const KdTree& tree)
+{
+    // The old upload goes when the new one is whole.
+    SceneUpload next(impl_->gl, impl_->limits, scene, tree);
+    impl_->uploaded.emplace(std::move(next));
+}
+
+void GlTracer::prepare(const GlTraceConfig& config, int width, int height)
+{
+    if (width <= 0 || height <= 0) return;
+    const StateGuard guard(impl_->gl);
+    impl_->make_ready(config.trace, width, height);
+    // Drivers finish compiling when a program is first drawn with, so every pass is drawn once over no pixel.
+    GlFrameReport unused;
+    impl_->draw_tile(config, PinholeCamera{}, Tile{}, unused);
+    impl_->gl.Finish();
+}
+
+GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& camera, int width, int height, Tile tile)
+{
+    GlFrameReport report;
+    if (width <= 0 || height <= 0) return report;
+    const StateGuard guard(impl_->gl);
+    impl_->make_ready(config.trace, width, height);
+    tile = {std::max(tile.x0, 0), std::max(tile.y0, 0), std::min(tile.x1, width), std::min(tile.y1, height)};
+    if (tile.x0 >= tile.x1 || tile.y0 >= tile.y1) return report;
+    impl_->draw_tile(config, camera, tile, report);
+    return report;
+}
+
+unsigned GlTracer::colour_texture() const
+{
+    return impl_->targets.colour();
+}
+
+GlMemory GlTracer::memory() const
+{
+    GlMemory memory;
+    if (impl_->uploaded) impl_->uploaded->add_to(memory);
+    memory.targets = impl_->targets.bytes();
+    return memory;
+}
+
+} // namespace kd

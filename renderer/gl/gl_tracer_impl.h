@@ -1,0 +1,43 @@
+// What a GlTracer holds. The parts: gl_tracer.cpp (upload, prepare), gl_tracer_draw.cpp (the passes), gl_tracer_read.cpp
+// (back to a Frame), gl_tracer_rays.cpp (rays from a table).
+#pragma once
+
+#include <optional>
+
+#include "renderer/gl/frame_targets.h"
+#include "renderer/gl/pass_programs.h"
+#include "renderer/gl/pass_timer.h"
+#include "renderer/gl/scene_upload.h"
+
+namespace kd {
+
+struct GlTracer::Impl {
+    const GlApi& gl;
+    bool software;
+    GlLimits limits;
+    ProgramCache programs;
+    PassTimer timer;
+    GlVertexArray no_vertices; // a core context draws with one bound, even an empty one
+    UniformBuffer<gl_blocks::FrameBlock> frame_block;
+    GlBuffer shaded_counter;
+    std::optional<SceneUpload> uploaded;
+    FrameTargets targets;
+
+    explicit Impl(Context& context);
+
+    /// GlError where nothing has been uploaded.
+    [[nodiscard]] SceneUpload& scene();
+    [[nodiscard]] SceneNeeds needs_of(const TraceConfig& config);
+    [[nodiscard]] GLuint program(Step step, const ProgramSettings& settings);
+    [[nodiscard]] ProgramSettings settings_of(const TraceConfig& config);
+    void draw_quad() const;
+
+    /// Tables and targets for a configuration; keeps what fits.
+    void make_ready(const TraceConfig& config, int width, int height);
+    void draw_tile(const GlTraceConfig& config, const PinholeCamera& camera, Tile tile, GlFrameReport& report);
+};
+
+/// Binds `texture` for texelFetch.
+void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture);
+
+} // namespace kd

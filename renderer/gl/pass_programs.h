@@ -1,0 +1,34 @@
+// Which program each step of a frame needs.
+#pragma once
+
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/gl/program.h"
+#include "renderer/scene/needs.h"
+
+namespace kd {
+
+/// The steps that draw: the paper's passes, `mark` between bounces, and `rays` outside of frames.
+enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays };
+
+/// What decides a program beside its step.
+struct ProgramSettings {
+    TraceConfig trace;
+    SceneNeeds needs;
+    EarlyZ early_z = EarlyZ::working;
+    bool count_shaded = false;
+    bool later_bounce = false; // rt_refl and shade_refl after the first bounce
+    bool limited_loops = false; // the driver ends loops by itself (software renderers)
+    int stack_size = max_tree_depth;
+};
+
+[[nodiscard]] ProgramKey program_key(Step step, const ProgramSettings& settings);
+
+/// How a step tests and writes depth. The quads lie between the depths that RTPrim writes.
+struct DepthRule {
+    GLenum function;
+    bool write;
+    const char* quad; // depth of the quad, as shader text
+};
+[[nodiscard]] DepthRule depth_rule(Step step, EarlyZ early_z);
+
+} // namespace kd

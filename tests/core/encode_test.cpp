@@ -1,0 +1,77 @@
+// The paper's texels: exact layout, exact round trip, and refusal beyond what a float counts.
+
+#include "renderer/kdtree/encode.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/kdtree/build.h"
+#include "tests/core/tree_samples.h"
+#include "tests/support/scenes.h"
+
+namespace kd {
+namespace {
+
+std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Encode, TexelsOfTwoLeaves) {
+    const std::vector<Vec4> expected{{0, 0.5f, 2, -1}, {3, 1, 0, 0}, {3, 1, 1, 0}};
+    EXPECT_EQ(encode_float4(test::two_slab_tree()), expected);
+}
+
+TEST(Encode, RoundTripIsExact) {
+    const std::vector<Triangle> soup = test::random_soup(3000, 0.05f, 5);
+    const KdTree tree = build_tree(soup, {});
+    EXPECT_EQ(decode_float4(encode_float4(tree), tree.references, tree.bounds), tree);
+}
+
+TEST(Encode, TheLargestExactNumberPasses) {
+    KdTree tree;
+    tree.nodes[0] = test::leaf(1 << 24, 1 << 24, -1);
+    EXPECT_EQ(decode_float4(encode_float4(tree), {}, {}), tree);
+    tree.nodes[0] = test::leaf((1 << 24) - 1, 0, 1 << 24);
+    EXPECT_EQ(decode_float4(encode_float4(tree), {}, {}), tree);
+}
+
+TEST(Encode, OneMoreIsRefusedWithItsNumber) {
+    KdTree tree;
+    const auto encode = [&] { (void)encode_float4(tree); };
+    for (const auto& [node, what] :
+         {std::pair{test::leaf((1 << 24) + 1, 0, -1), "link"}, std::pair{test::leaf(0, (1 << 24) + 1, -1), "count"},
+          std::pair{test::leaf(0, 0, (1 << 24) + 1), "parent"},
+          std::pair{test::interior(0, 1.0f, (1 << 24) + 1, -1), "link"}}) {
+        tree.nodes[0] = node;
+        const std::string message = refusal(encode);
+        EXPECT_NE(message.find(std::string("node 0: ") + what + " 16777217 "), std::string::npos) << message;
+        EXPECT_NE(message.find("16777216"), std::string::npos) << message;
+    }
+}
+
+TEST(Decode, RefusesTexelsThatAreNoTree) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto decode = [](Vec4 texel) { return refusal([&] { (void)decode_float4({texel}, {}, {}); }); };
+    EXPECT_NE(decode({7, 0, 0, -1}).find("texel 0: flag 7"), std::string::npos);
+    EXPECT_NE(decode({-1, 0, 0, -1}).find("flag -1"), std::string::npos) << "the paper's invalid node";
+    EXPECT_NE(decode({nan, 0, 0, -1}).find("flag nan"), std::string::npos);
+    EXPECT_NE(decode({3, 0.5f, 0, -1}).find("count 0.5"), std::string::npos);
+    EXPECT_NE(decode({3, 0, 1e30f, -1}).find("link 1e+30"), std::string::npos);
+    EXPECT_NE(decode({3, 0, 0, nan}).find("parent nan"), std::string::npos);
+    EXPECT_NE(refusal([] { (void)decode_float4({}, {}, {}); }).find("empty"), std::string::npos);
+}
+
+TEST(Decode, KeepsAnySplitForValidationToJudge) {
+    const KdTree tree = decode_float4({{0, -1e30f, 2, -1}, {3, 0, 0, 0}, {3, 0, 0, 0}}, {}, {});
+    EXPECT_EQ(tree.nodes[0].split, -1e30f);
+}
+
+}  // namespace
+}  // namespace kd

@@ -1,0 +1,99 @@
+#include "renderer/gl/program.h"
+
+#include "renderer/gl/pass_programs.h"
+#include "tests/gl/gl_test.h"
+
+namespace kd {
+namespace {
+
+using test::context_name;
+using test::ContextTest;
+
+class ProgramGl : public ContextTest {
+protected:
+    /// The project's files, and over them `files`.
+    static ShaderReader with(std::map<std::string, std::string> files)
+    {
+        return [files = std::move(files), built_in = default_shader_reader()](const std::string& path) {
+            const auto found = files.find(path);
+            return found == files.end() ? built_in(path) : std::optional(found->second);
+        };
+    }
+
+    std::string message_of(const ProgramKey& key, const ShaderReader& read)
+    {
+        try {
+            const GlProgram program(gl(), key, read);
+        } catch (const GlError& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+};
+KD_FOR_ALL_CONTEXTS(ProgramGl);
+
+TEST_P(ProgramGl, ReportsFileAndLineOfAnError)
+{
+    const auto read = with({{"bad.frag", "#include \"good.glsl\"\nout vec4 colour;\nvoid main()\n{\n    colour = nonsense;\n}\n"},
+                            {"good.glsl", "float one() { return 1.0; }\n\n\n"}});
+    const std::string message = message_of({"fragment/quad.vert", "bad.frag", {{"KD_QUAD_DEPTH", "0.5"}}}, read);
+    EXPECT_NE(message.find("shader bad.frag does not compile"), std::string::npos) << message;
+    EXPECT_NE(message.find("shaders/bad.frag:5"), std::string::npos) << message;
+    EXPECT_NE(message.find("nonsense"), std::string::npos) << message;
+}
+
+TEST_P(ProgramGl, ReportsFileAndLineInsideAnInclude)
+{
+    const auto read = with({{"shared/box.glsl", "\n\nint broken( { }\n"}});
+    const std::string message = message_of(program_key(Step::rt_prim, {}), read);
+    EXPECT_NE(message.find("shaders/shared/box.glsl:3"), std::string::npos) << message;
+}
+
+TEST_P(ProgramGl, ReportsAMissingInclude)
+{
+    const auto read = with({{"bad.frag", "#include \"none.glsl\"\nvoid main() {}\n"}});
+    EXPECT_EQ(message_of({"fragment/quad.vert", "bad.frag", {}}, read),
+              "shaders/bad.frag:1: there is no \"none.glsl\", neither beside this file nor in shaders/");
+}
+
+TEST_P(ProgramGl, ReportsLinkErrors)
+{
+    const auto read = with({{"in.frag", "in vec3 never_written;\nout vec4 c;\nvoid main() { c = never_written.xyzz; }\n"}});
+    const std::string message = message_of({"fragment/quad.vert", "in.frag", {}}, read);
+    EXPECT_NE(message.find("do not link"), std::string::npos) << message;
+    EXPECT_NE(message.find("never_written"), std::string::npos) << message;
+}
+
+TEST_P(ProgramGl, KeepsProgramsByKey)
+{
+    ProgramCache cache(gl());
+    ProgramSettings settings;
+    const GlProgram& first = cache.get(program_key(Step::mark, settings));
+    EXPECT_EQ(&cache.get(program_key(Step::mark, settings)), &first);
+    EXPECT_EQ(cache.size(), 1u);
+    settings.later_bounce = true;
+    EXPECT_NE(cache.get(program_key(Step::mark, settings)).id(), first.id());
+    EXPECT_EQ(cache.size(), 2u);
+}
+
+TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalAndSwitch)
+{
+    ProgramCache cache(gl());
+    for (const TraversalInfo& traversal : traversals())
+        for (const bool on : {false, true})
+            for (const Step step :
+                 {Step::rt_prim, Step::shade_prim, Step::rt_refl, Step::shade_refl, Step::mark, Step::rays}) {
+                ProgramSettings s;
+                s.trace.traversal = traversal.id;
+                s.trace.counters = s.count_shaded = s.limited_loops = on;
+                s.trace.leaf_lists = on ? LeafLists::duplicated : LeafLists::references;
+                s.needs = {.textures = on, .normals = on, .shadows = on, .reflections = on, .bounces = 2};
+                s.early_z = on ? EarlyZ::as_published : EarlyZ::working;
+                s.later_bounce = on && (step == Step::rt_refl || step == Step::shade_refl);
+                EXPECT_NO_THROW((void)cache.get(program_key(step, s))) << traversal.name << " step " << int(step);
+            }
+    EXPECT_NO_THROW(check_gl(gl(), "compiling"));
+}
+
+} // namespace
+} // namespace kd

@@ -1,0 +1,151 @@
+// Damaged files: whatever is done to a file, it loads or ends in one line, and never crashes (most telling when built with
+// sanitizers).
+#include <random>
+
+#include "renderer/io/png.h"
+#include "tests/io/gltf_builder.h"
+
+namespace kd {
+namespace {
+
+/// A file with something of everything that is decoded: sparse data, indices, a texture, a light, a camera, a hierarchy.
+GltfBuilder rich_file() {
+    GltfBuilder builder = one_triangle();
+    auto& json = builder.json;
+    json["meshes"][0]["primitives"][0]["indices"] = builder.add_indices({0, 1, 2, 2, 1, 0});
+    json["meshes"][0]["primitives"][0]["material"] = 0;
+    json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = builder.add_vec3({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+    const std::vector<std::uint16_t> at{1};
+    const std::vector<Vec3> to{{2, 0, 0}};
+    json["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", builder.add_view(at.data(), 2)}, {"componentType", 5123}}},
+        {"values", {{"bufferView", builder.add_view(to.data(), 12)}}}};
+    const auto path = scratch_folder() / "image.png";
+    write_png(path, Image<Rgba8>(4, 4, {1, 2, 3, 4}));
+    const std::string png = get_bytes(path);
+    json["images"] = {{{"bufferView", builder.add_view(png.data(), png.size())}, {"mimeType", "image/png"}}};
+    json["textures"] = {{{"source", 0}}};
+    json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}}}}}};
+    json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
+    json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}};
+    json["nodes"].push_back({{"children", {2}}, {"camera", 0}, {"rotation", {0, 0, 0, 1}}});
+    json["nodes"].push_back({{"mesh", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    json["scenes"][0]["nodes"].push_back(1);
+    return builder;
+}
+
+/// Loads and flattens; true where that succeeds. error_of() checks the error.
+bool survives(const std::filesystem::path& path, const std::string& bytes) {
+    put_bytes(path, bytes);
+    return error_of([&] { (void)flatten(load_gltf(path)); }).empty();
+}
+
+TEST(Damage, GlbCutOffAnywhere) {
+    const std::string whole = rich_file().glb();
+    const auto path = scratch_folder() / "cut.glb";
+    ASSERT_TRUE(survives(path, whole));
+    for (std::size_t length = 0; length < whole.size(); length += length < 64 ? 1 : 97) {
+        EXPECT_FALSE(survives(path, whole.substr(0, length))) << length << " bytes";
+    }
+}
+
+TEST(Damage, GlbWithWrongTotalLengthCutOffAnywhere) {
+    // As above, but with a header that agrees with what is there, so that the chunks are looked at.
+    const std::string whole = rich_file().glb();
+    const auto path = scratch_folder() / "cut.glb";
+    for (std::size_t length = 12; length < whole.size(); length += 97) {
+        std::string cut = whole.substr(0, length);
+        EXPECT_FALSE(survives(path, cut.replace(8, 4, GltfBuilder::word(length)))) << length << " bytes";
+    }
+}
+
+TEST(Damage, TextCutOffAnywhere) {
+    const std::string whole = rich_file().text();
+    const auto path = scratch_folder() / "cut.gltf";
+    ASSERT_TRUE(survives(path, whole));
+    for (std::size_t length = 0; length < whole.size(); length += 97) {
+        EXPECT_FALSE(survives(path, whole.substr(0, length))) << length << " bytes";
+    }
+}
+
+TEST(Damage, BytesChangedAtRandom) {
+    const std::string whole = rich_file().glb();
+    const auto path = scratch_folder() / "random.glb";
+    std::mt19937 random(1);
+    int loaded = 0;
+    for (int round = 0; round < 700; ++round) {
+        std::string damaged = whole;
+        for (unsigned k = 1 + random() % 4; k > 0; --k) damaged[random() % damaged.size()] = static_cast<char>(random());
+        loaded += survives(path, damaged) ? 1 : 0;
+    }
+    EXPECT_GT(loaded, 0) << "some changes, as of a coordinate, do no harm";
+    EXPECT_LT(loaded, 700);
+}
+
+/// All JSON pointers to numbers in `json`.
+void collect_numbers(const nlohmann::json& json, const std::string& pointer, std::vector<std::string>& found) {
+    if (json.is_number()) found.push_back(pointer);
+    if (!json.is_structured()) return;
+    for (const auto& [key, value] : json.items()) collect_numbers(value, pointer + "/" + key, found);
+}
+
+TEST(Damage, EveryNumberReplacedByExtremes) {
+    const auto whole = nlohmann::json::parse(rich_file().text());
+    std::vector<std::string> numbers;
+    collect_numbers(whole, "", numbers);
+    ASSERT_GT(numbers.size(), 60u);
+    const auto path = scratch_folder() / "number.gltf";
+    const std::vector<nlohmann::json> extremes{0,
+                                               -1,
+                                               1,
+                                               255,
+                                               65536,
+                                               2147483647,
+                                               2147483648u,
+                                               4294967295u,
+                                               4294967296u,
+                                               9223372036854775807,
+                                               18446744073709551615u,
+                                               1e300,
+                                               -1e300,
+                                               1e-300,
+                                               0.5,
+                                               "7",
+                                               nullptr,
+                                               nlohmann::json::array(),
+                                               nlohmann::json::object()};
+    for (const std::string& pointer : numbers) {
+        for (const auto& extreme : extremes) {
+            nlohmann::json damaged = whole;
+            damaged[nlohmann::json::json_pointer(pointer)] = extreme;
+            SCOPED_TRACE(pointer + " = " + extreme.dump());
+            survives(path, damaged.dump());
+        }
+    }
+}
+
+/// Pointers to everything in `json` but itself.
+void collect_all(const nlohmann::json& json, const std::string& pointer, std::vector<std::string>& found) {
+    if (!pointer.empty()) found.push_back(pointer);
+    if (!json.is_structured()) return;
+    for (const auto& [key, value] : json.items()) collect_all(value, pointer + "/" + key, found);
+}
+
+TEST(Damage, EveryMemberRemovedOrOfAnotherType) {
+    const auto whole = nlohmann::json::parse(rich_file().text());
+    std::vector<std::string> members;
+    collect_all(whole, "", members);
+    ASSERT_GT(members.size(), 100u);
+    const auto path = scratch_folder() / "member.gltf";
+    for (const std::string& pointer : members) {
+        SCOPED_TRACE(pointer);
+        const nlohmann::json removal = {{{"op", "remove"}, {"path", pointer}}};
+        survives(path, whole.patch(removal).dump());
+        const nlohmann::json wrong_type = {{{"op", "replace"}, {"path", pointer}, {"value", true}}};
+        survives(path, whole.patch(wrong_type).dump());
+    }
+}
+
+} // namespace
+} // namespace kd

@@ -1,0 +1,103 @@
+// A small frame whose every number is known: a unit ball before the camera, counters that are formulas of x and y.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "renderer/kdtree/tree.h"
+#include "renderer/scene/camera.h"
+#include "renderer/trace/frame.h"
+#include "viz/text.h"
+
+namespace kd::test {
+
+inline constexpr int frame_width = 64, frame_height = 48;
+/// Columns from here on are not traced.
+inline constexpr int untraced_from = 60;
+
+inline Camera ball_camera() {
+    Camera camera;
+    camera.eye = {0, 0, 3};
+    camera.target = {0, 0, 0};
+    camera.fov_y_degrees = 60;
+    return camera;
+}
+
+inline glm::dvec3 pixel_direction(const PinholeCamera& camera, int x, int y, int width, int height) {
+    const double u = (x + 0.5) * 2 / width - 1;
+    const double v = 1 - (y + 0.5) * 2 / height;
+    return glm::normalize(glm::dvec3(camera.forward) + u * glm::dvec3(camera.right) + v * glm::dvec3(camera.up));
+}
+
+/// Distance to the unit ball at the origin.
+inline std::optional<double> distance_to_ball(glm::dvec3 origin, glm::dvec3 direction) {
+    const double b = glm::dot(origin, direction);
+    const double discriminant = b * b - (glm::dot(origin, origin) - 1);
+    if (discriminant < 0) return std::nullopt;
+    return -b - std::sqrt(discriminant);
+}
+
+inline RayCounters counters_at(int x, int y, bool hit) {
+    RayCounters c{};
+    c.interior_first = uint(5 + x / 4 + y / 8);
+    c.interior_again = hit ? uint(x * y % 7) : 0;
+    c.leaves = uint(1 + x % 5);
+    c.triangle_tests = uint(y % 6);
+    c.restarts = c.interior_again / 2;
+    c.backtracks = c.interior_again / 3;
+    c.stack_depth = uint(x / 8);
+    c.exit_reason = uint(x == 2 && y < 5 ? y : hit ? KD_EXIT_HIT : KD_EXIT_MISS);
+    return c;
+}
+
+inline Frame ball_frame(int width = frame_width, int height = frame_height) {
+    Frame frame(width, height);
+    const PinholeCamera camera = pinhole(ball_camera(), width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width && x < untraced_from; ++x) {
+            const std::optional<double> t = distance_to_ball(camera.eye, pixel_direction(camera, x, y, width, height));
+            const float shade = t ? float(3.2 - *t) : 0.2f;
+            frame.colour.at(x, y) = {shade, 0.8f * shade, 0.5f, 1.0f};
+            frame.layer(Pass::rt_prim).counters.at(x, y) = counters_at(x, y, t.has_value());
+            if (!t) continue;
+            frame.layer(Pass::rt_prim).hit.at(x, y) = {x + y, float(*t), 0.25f, 0.5f};
+            frame.layer(Pass::shade_prim).counters.at(x, y).interior_first = uint(x);
+            frame.layer(Pass::shade_prim).counters.at(x, y).leaves = 1;
+        }
+    }
+    // The corner sees past the tree: traced, and nothing counted.
+    frame.layer(Pass::rt_prim).counters.at(0, 0) = RayCounters{};
+    return frame;
+}
+
+/// Box [-2,2]^3, split at x = 0, its upper half at y = 0.5: nodes 0 interior, 1 leaf, 2 interior, 3 and 4 leaves.
+inline KdTree three_leaf_tree() {
+    KdTree tree;
+    tree.bounds = {Vec3(-2), Vec3(2)};
+    tree.nodes.assign(5, TreeNode{});
+    tree.nodes[0].flag = 0;
+    tree.nodes[0].split = 0.0f;
+    tree.nodes[0].link = 2;
+    tree.nodes[1].parent = 0;
+    tree.nodes[2].flag = 1;
+    tree.nodes[2].split = 0.5f;
+    tree.nodes[2].link = 4;
+    tree.nodes[2].parent = 0;
+    tree.nodes[3].parent = 2;
+    tree.nodes[4].parent = 2;
+    return tree;
+}
+
+/// DejaVu Sans where Debian installs it.
+inline std::optional<Font> dejavu() {
+    std::ifstream file("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", std::ios::binary);
+    if (!file) return std::nullopt;
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    return Font::from_bytes(std::as_bytes(std::span(bytes)));
+}
+
+}  // namespace kd::test
