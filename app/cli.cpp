@@ -30,9 +30,11 @@ std::string scene_list() {
     std::vector<HelpEntry> entries;
     for (const ProceduralScene& scene : procedural_scenes()) {
         if (scene.default_size > 0)
-            entries.push_back({fmt::format("{}:N", scene.name), fmt::format("{} N = {} unless given, at most {}.", scene.summary,
-                                                                            scene.default_size, scene.largest_size)});
-        else entries.push_back({std::string(scene.name), std::string(scene.summary)});
+            entries.push_back(
+                {fmt::format("{}:N", scene.name), fmt::format("{} N = {} unless given, at most {}.", scene.summary,
+                                                              scene.default_size, scene.largest_size)});
+        else
+            entries.push_back({std::string(scene.name), std::string(scene.summary)});
     }
     for (const auto& file : shipped_scenes())
         entries.push_back({file.filename().string(), "A glTF scene that comes with the program."});
@@ -47,15 +49,17 @@ constexpr std::string_view examples = "Examples:\n"
                                       "  kdscope verify ball:9000 rooms\n"
                                       "  kdscope bench scatter:10000 --rounds 31 --json > bench.json\n";
 
-constexpr std::string_view exit_codes = "Exit codes: 0 good, 1 a check failed, 2 bad input or usage, 3 no display or no "
-                                        "OpenGL, 130 interrupted.\n";
+constexpr std::string_view exit_codes =
+    "Exit codes: 0 good, 1 a check failed, 2 bad input or usage, 3 no display or no "
+    "OpenGL, 130 interrupted.\n";
 
 /// The first word is a command; without one it is `view`, so that `kdscope SCENE` opens the window.
 void supply_command(std::vector<std::string>& arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
     const auto is_command = [&](const Command& command) { return command.name == first; };
-    if (std::ranges::any_of(commands(), is_command) || first == "-h" || first == "--help" || first == "--version") return;
-    if (!first.empty() && !first.starts_with('-') && !names_scene(first)) {
+    if (std::ranges::any_of(commands(), is_command) || first == "-h" || first == "--help" || first == "--version")
+        return;
+    if (!arguments.empty() && !first.starts_with('-') && !names_scene(first)) {
         std::string known;
         for (const Command& command : commands()) known += fmt::format("{}{}", known.empty() ? "" : ", ", command.name);
         std::string scenes;
@@ -79,6 +83,7 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
     CommandBody body;
     for (const Command& command : commands()) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+        sub->group("Commands");
         sub->footer(fmt::format("{}\n{}", scene_list(), command.examples));
         const CommandBody run = command.declare(*sub);
         sub->callback([&body, run] { body = run; });
@@ -113,17 +118,25 @@ int fail(CommandContext& context, int code, const std::string& line) {
 int run_cli(std::vector<std::string> arguments, CommandContext& context) noexcept try {
     try {
         return run_and_flush(std::move(arguments), context);
-    } catch (const Interrupted& error) { return fail(context, exit_interrupted, error.what());
-    } catch (const UsageError& error) { return fail(context, exit_usage, error.what());
-    } catch (const InputError& error) { return fail(context, exit_usage, error.what());
-    } catch (const NoDisplay& error) { return fail(context, exit_no_display, error.what());
-    } catch (const ContextError& error) { return fail(context, exit_no_display, error.what());
-    } catch (const GlError& error) { return fail(context, exit_no_display, error.what());
+    } catch (const Interrupted& error) {
+        return fail(context, exit_interrupted, error.what());
+    } catch (const UsageError& error) {
+        return fail(context, exit_usage, error.what());
+    } catch (const InputError& error) {
+        return fail(context, exit_usage, error.what());
+    } catch (const NoDisplay& error) {
+        return fail(context, exit_no_display, error.what());
+    } catch (const ContextError& error) {
+        return fail(context, exit_no_display, error.what());
+    } catch (const GlError& error) {
+        return fail(context, exit_no_display, error.what());
     } catch (const std::bad_alloc&) {
         return fail(context, exit_usage, "not enough memory; use a smaller scene or picture");
     } catch (const std::exception& error) {
         return fail(context, exit_check_failed, fmt::format("unexpected error: {}", error.what()));
     }
-} catch (...) { return exit_check_failed; }
+} catch (...) {
+    return exit_check_failed;
+}
 
 }  // namespace kd

@@ -44,8 +44,8 @@ using CommandBody = std::function<int(CommandContext&)>;
 
 struct Command {
     std::string_view name;
-    std::string_view summary;   // one line
-    std::string examples;       // and what else stands at the end of --help
+    std::string_view summary;  // one line
+    std::string examples;      // and what else stands at the end of --help
     /// Adds the command's options and returns what runs once they are parsed.
     CommandBody (*declare)(CLI::App&);
 };

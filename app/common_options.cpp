@@ -25,13 +25,9 @@ std::vector<NamedValue<std::string>> builder_names() {
 
 }  // namespace
 
-std::string_view name_of(TracerKind tracer) {
-    return tracer == TracerKind::cpu ? "cpu" : "gl-fragment";
-}
+std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ? "cpu" : "gl-fragment"; }
 
-std::string_view name_of(LeafLists lists) {
-    return lists == LeafLists::references ? "references" : "duplicated";
-}
+std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
 
 Session CommonOptions::session_for(const std::string& scene) const {
     Session chosen = session;
@@ -45,11 +41,12 @@ Session CommonOptions::session_for(const std::string& scene) const {
 
 void add_one_scene(CLI::App& app, CommonOptions& options, bool required) {
     options.scenes = {options.session.scene};
-    CLI::Option* scene = app.add_option("SCENE", options.scenes, "A scene by name, or a .gltf or .glb file")
-                             ->expected(1)
-                             ->type_name("");
-    if (required) scene->required();
-    else scene->description(fmt::format("A scene by name, or a .gltf or .glb file [{}]", options.session.scene));
+    CLI::Option* scene = app.add_option("SCENE", options.scenes.front(), "A scene by name, or a .gltf or .glb file");
+    scene->type_name("");
+    if (required)
+        scene->required();
+    else
+        scene->description(fmt::format("A scene by name, or a .gltf or .glb file [{}]", options.session.scene));
 }
 
 void add_scenes(CLI::App& app, CommonOptions& options) {
@@ -60,7 +57,8 @@ void add_tree_options(CLI::App& app, CommonOptions& o) {
     BuildConfig& build = o.session.build;
     const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
     std::vector<CLI::Option*> all{
-        add_choice<std::string>(app, "--builder", o.builder, builder_names(), text("How the tree is built", build.builder)),
+        add_choice<std::string>(app, "--builder", o.builder, builder_names(),
+                                text("How the tree is built", build.builder)),
         add_number<float>(app, "--traversal-cost", build.traversal_cost, 0.0f, 1e6f,
                           text("Cost t_t of visiting an interior node", build.traversal_cost)),
         add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
@@ -83,13 +81,15 @@ void add_tree_options(CLI::App& app, CommonOptions& o) {
 }
 
 void add_tracing_options(CLI::App& app, CommonOptions& o) {
-    const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu}, {"gl-fragment", TracerKind::gl_fragment}};
+    const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu},
+                                                      {"gl-fragment", TracerKind::gl_fragment}};
     const std::vector<NamedValue<ContextKind>> contexts{
         {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
     const std::vector<NamedValue<std::string>> rules{{"robust", "robust"}};
     add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree [stack]")->group("Tracing");
     add_choice(app, "--rules", o.rules, rules, "How a walk decides between children [robust]")->group("Tracing");
-    add_choice(app, "--tracer", o.tracer, tracers, "What traces: the CPU, or GLSL fragment passes [cpu]")->group("Tracing");
+    add_choice(app, "--tracer", o.tracer, tracers, "What traces: the CPU, or GLSL fragment passes [cpu]")
+        ->group("Tracing");
     add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from [auto]")->group("Tracing");
 }
 
@@ -97,7 +97,8 @@ void add_shading_options(CLI::App& app, CommonOptions& o) {
     TraceConfig& trace = o.session.trace;
     const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
                                                    {"duplicated", LeafLists::duplicated}};
-    add_choice(app, "--leaf-lists", trace.leaf_lists, lists, "Leaves hold triangle numbers or vertex copies [references]")
+    add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
+               "Leaves hold triangle numbers or vertex copies [references]")
         ->group("Tracing");
     app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
     add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
@@ -117,11 +118,12 @@ void add_camera_options(CLI::App& app, CommonOptions& o) {
         if (!(degrees > 0.0f && degrees <= 179.9f)) refuse(fmt::format("{} is not an angle in (0, 179.9]", degrees));
         return degrees;
     };
-    add("--camera", "TEXT", "All at once: \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", [&camera, angle](const std::string& text) {
-        const std::vector<float> v = parse_floats(text);
-        if (v.size() != 10) refuse(fmt::format("'{}' is not \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", text));
-        camera = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]), angle(v[9])};
-    });
+    add("--camera", "TEXT", "All at once: \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"",
+        [&camera, angle](const std::string& text) {
+            const std::vector<float> v = parse_floats(text);
+            if (v.size() != 10) refuse(fmt::format("'{}' is not \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", text));
+            camera = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]), angle(v[9])};
+        });
     add("--eye", "X,Y,Z", "Where the camera is", [&camera](const std::string& t) { camera.eye = parse_vec3(t); });
     add("--target", "X,Y,Z", "What it looks at", [&camera](const std::string& t) { camera.target = parse_vec3(t); });
     add("--up", "X,Y,Z", "Which way is up", [&camera](const std::string& t) { camera.up = parse_vec3(t); });
@@ -152,7 +154,8 @@ FlatScene open_scene(const CommonOptions& options, Session& session) {
     camera.fov_y_degrees = options.camera.fov_y_degrees.value_or(camera.fov_y_degrees);
     if (!is_valid(camera))
         throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
-    session.camera = camera;
+    const CameraOptions& given = options.camera;
+    if (given.eye || given.target || given.up || given.fov_y_degrees) session.camera = camera;
     return scene;
 }
 

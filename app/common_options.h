@@ -44,7 +44,8 @@ void add_camera_options(CLI::App& app, CommonOptions& options);
 void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
 
-/// Loads the scene of `session` and gives it the camera asked for, which the session keeps too. InputError.
+/// Loads the scene of `session` and gives it the camera asked for. The session gets a camera where one was asked for.
+/// InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);
 
 /// "cpu", "gl-fragment".

@@ -39,9 +39,7 @@ Engine::Engine(const Session& start, EngineOptions options)
 
 Engine::~Engine() = default;
 
-double Engine::now() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-}
+double Engine::now() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
 void Engine::say(bool error, std::string text) {
     state_.messages.push_back({error, std::move(text), now()});
@@ -61,11 +59,15 @@ void Engine::set_session(const Session& wanted) {
     state_.session = next;
     ++state_.generation;
     const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
-    if (scene_changed) start_load();
-    else if (next.build != before.build) start_build();
+    if (scene_changed)
+        start_load();
+    else if (next.build != before.build)
+        start_build();
     if (scene_changed || next.build != before.build || !same_frame(next, before)) trace_generation_ = state_.generation;
-    if (!same_frame(next, before)) start_trace();
-    else if (!scene_changed && next.build == before.build) start_paint();
+    if (!same_frame(next, before))
+        start_trace();
+    else if (!scene_changed && next.build == before.build)
+        start_paint();
 }
 
 void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned) {
@@ -93,9 +95,7 @@ bool Engine::poll() {
     return news;
 }
 
-Camera Engine::camera_in_use() const {
-    return state_.session.camera.value_or(state_.world->scene().camera);
-}
+Camera Engine::camera_in_use() const { return state_.session.camera.value_or(state_.world->scene().camera); }
 
 void Engine::read_probes() {
     state_.hovered.reset();

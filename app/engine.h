@@ -23,9 +23,7 @@ namespace kd {
 struct EngineOptions {
     OpenGl open_gl;              // called on the tracing thread; empty: no GPU
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
-    Font font;                   // of legends
-    int legend_scale = 1;
-    bool duel = true;            // time CPU and GPU while idle
+    bool duel = true;  // time CPU and GPU while idle
 };
 
 class Engine {
@@ -78,8 +76,8 @@ class Engine {
     std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
     TracedFrame traced_;                        // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
-    std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
-    std::uint64_t trace_ticket_ = 0;      // of the trace started last
+    std::uint64_t trace_generation_ = 0;                          // the last one that asked for another frame
+    std::uint64_t trace_ticket_ = 0;                              // of the trace started last
     std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0;  // written by the threads at work
     std::uint64_t duel_failed_at_ = ~std::uint64_t(0);
     std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
@@ -88,7 +86,7 @@ class Engine {
     bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
-    std::unique_ptr<Tracing> tracing_;  // lives and dies on tracer_'s thread
+    std::unique_ptr<Tracing> tracing_;            // lives and dies on tracer_'s thread
     Worker loader_, builder_, painter_, tracer_;  // last: joined before what their jobs use goes
 };
 

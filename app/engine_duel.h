@@ -30,7 +30,7 @@ struct DuelState {
     void add(const DuelRound& round);
     /// CPU time over GPU time; above 1 the GPU is faster. 0 where one is missing.
     [[nodiscard]] double ratio() const;
-    static constexpr std::size_t history = 120;
+    static constexpr std::size_t history = 60;
 };
 
 }  // namespace kd

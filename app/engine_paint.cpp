@@ -1,8 +1,7 @@
 #include "app/engine_paint.h"
 
 #include <algorithm>
-
-#include "app/engine_levels.h"
+#include <utility>
 
 namespace kd {
 
@@ -31,26 +30,36 @@ Frame enlarge_hits(const Frame& frame, int factor) {
 Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, const std::optional<MapView>& map) {
     const Frame& frame = *traced.frame;
     const KdTree& tree = traced.world->tree;
-    if (traced.scale <= coarsest_lines || !view.overlay.show) return make_picture(frame, tree, traced.camera, view, map);
+    if (traced.scale <= coarsest_lines || !view.overlay.show)
+        return make_picture(frame, tree, traced.camera, view, map);
 
     ViewConfig without_lines = view;
     without_lines.overlay.show = false;
     const int factor = traced.scale / coarsest_lines;
     Image<Rgba8> image = enlarge(make_picture(frame, tree, traced.camera, without_lines, map), factor);
     const Frame hits = enlarge_hits(frame, factor);
-    draw_lines(image, split_lines(tree, view.overlay), pinhole(traced.camera, hits.width, hits.height), hits, view.overlay);
+    draw_lines(image, split_lines(tree, view.overlay), pinhole(traced.camera, hits.width, hits.height), hits,
+               view.overlay);
     return image;
+}
+
+MapMeaning meaning_of(MapView view) {
+    MapMeaning meaning{{}, std::move(view.summary), {}};
+    for (std::size_t i = 0; i < view.map.categories.size(); ++i)
+        meaning.category_pixels.push_back(std::ranges::count(view.map.values.pixels, float(i)));
+    view.map.values = {};
+    meaning.labels = std::move(view.map);
+    return meaning;
 }
 
 }  // namespace
 
-Picture paint(const PaintRequest& request, const Font& font) {
+Picture paint(const PaintRequest& request) {
     Picture picture;
-    const std::optional<MapView> map = view_map(*request.traced.frame, request.view);
+    std::optional<MapView> map = view_map(*request.traced.frame, request.view);
     picture.image = paint_image(request.traced, request.view, map);
-    picture.legend = make_legend(request.traced.world->tree, request.view, map, font, request.legend_scale);
     picture.view = request.view;
-    if (map) picture.summary = map->summary;
+    if (map) picture.map = meaning_of(std::move(*map));
     picture.traced = request.traced;
     picture.generation = request.generation;
     return picture;

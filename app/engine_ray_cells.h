@@ -8,7 +8,7 @@
 namespace kd {
 
 /// For the primary ray of `reading`'s pixel in a width x height picture, up to its hit. `most` lines, those met first.
-[[nodiscard]] std::vector<ScreenLine> ray_cells(const TracedFrame& traced, const PixelReading& reading, int width, int height,
-                                                std::size_t most = 4000);
+[[nodiscard]] std::vector<ScreenLine> ray_cells(const TracedFrame& traced, const PixelReading& reading, int width,
+                                                int height, std::size_t most = 4000);
 
 }  // namespace kd

@@ -44,8 +44,10 @@ void Engine::start_load() {
         }
         mailbox_.post([this, name, seed, loaded, error] {
             if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
-            if (loaded) finish_load(loaded);
-            else fail_load(error);
+            if (loaded)
+                finish_load(loaded);
+            else
+                fail_load(error);
         });
     });
 }
@@ -95,7 +97,8 @@ void Engine::start_build() {
         mailbox_.post([this, world, error, stopped] {
             // A stopped build counts only where a person stopped it and there is no tree to go back to.
             const bool wanted = world->loaded == scene_ && world->built_with == state_.session.build;
-            if (!wanted || !state_.building.active || (stopped && state_.world && state_.world->loaded == scene_)) return;
+            if (!wanted || !state_.building.active || (stopped && state_.world && state_.world->loaded == scene_))
+                return;
             state_.building = {};
             if (error.empty()) return finish_build(world);
             say(true, error);
@@ -129,8 +132,8 @@ TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
     // A frame of a tree that is about to be replaced is shown, but answers nothing.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
-    return {state_.world, s.trace, s.tracer, camera_in_use(), s.width, s.height, s.threads,
-            current ? state_.generation : 0};
+    return {state_.world, s.trace,  s.tracer,  camera_in_use(),
+            s.width,      s.height, s.threads, current ? state_.generation : 0};
 }
 
 void Engine::start_trace() {
@@ -170,15 +173,14 @@ void Engine::receive(TracedFrame traced) {
 
 void Engine::start_paint() {
     if (!traced_.frame) return;
-    PaintRequest request{traced_, state_.session.view, state_.session.width, state_.session.height,
-                         options_.legend_scale, 0};
+    PaintRequest request{traced_, state_.session.view, 0};
     const bool answers = traced_.generation >= trace_generation_ && traced_.generation > 0;
     request.generation = answers ? state_.generation : traced_.generation;
     painter_.submit([this, request](const std::stop_token&) {
         std::shared_ptr<const Picture> picture;
         std::string error;
         try {
-            picture = std::make_shared<Picture>(paint(request, options_.font));
+            picture = std::make_shared<Picture>(paint(request));
         } catch (const std::exception& e) {
             error = e.what();
         }

@@ -29,12 +29,18 @@ struct TracedFrame {
     std::uint64_t generation = 0;  // EngineState::generation that it answers
 };
 
-/// A finished picture in 8 bits, with its legend.
+/// What the colours of a map mean.
+struct MapMeaning {
+    ScalarMap labels;  // without its values
+    MapSummary summary;
+    std::vector<std::int64_t> category_pixels;  // of each of labels.categories
+};
+
+/// A finished picture in 8 bits, and what is in it.
 struct Picture {
     Image<Rgba8> image;
-    Image<Rgba8> legend;  // empty where there is nothing to explain
     ViewConfig view;
-    std::optional<MapSummary> summary;
+    std::optional<MapMeaning> map;
     TracedFrame traced;
     std::uint64_t generation = 0;  // EngineState::generation that it answers
 };
@@ -54,8 +60,8 @@ struct Message {
 
 /// The GPU side as it was found.
 struct GlStatus {
-    bool known = false;       // opened, or found to be missing
-    std::string renderer;     // GL_RENDERER; empty where missing
+    bool known = false;    // opened, or found to be missing
+    std::string renderer;  // GL_RENDERER; empty where missing
     std::string version;
     bool software = false;
     std::string unavailable;  // why there is none, one line
@@ -69,18 +75,19 @@ struct ScreenLine {
 };
 
 struct EngineState {
-    Session session;                       // what was asked for, corrected where it could not be had
-    std::uint64_t generation = 0;          // grows with every change of the session that changes the picture
-    std::shared_ptr<const World> world;    // scene and tree in use; null until the first is ready
-    Camera camera;                         // in use: the session's, or the scene's own
+    Session session;                         // what was asked for, corrected where it could not be had
+    std::uint64_t generation = 0;            // grows with every change of the session that changes the picture
+    std::shared_ptr<const World> world;      // scene and tree in use; null until the first is ready
+    Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
     std::optional<PixelReading> hovered, pinned;
-    std::vector<ScreenLine> ray_cells;  // cells that the ray of the pinned or hovered pixel meets, while splits are shown
-    std::vector<Message> messages;      // newest last
+    std::vector<ScreenLine>
+        ray_cells;                  // cells that the ray of the pinned or hovered pixel meets, while splits are shown
+    std::vector<Message> messages;  // newest last
     double last_build_ms = 0;
 
     /// The picture is not yet (all of) what the session asks for.

@@ -81,7 +81,8 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
 
 std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::stop_token& stop) {
     int scale = 1;
-    while (scale < LevelPlan::coarsest && plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
+    while (scale < LevelPlan::coarsest &&
+           plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
         scale *= 2;
     DuelReply reply;
     reply.width = scaled_size(request.width, scale);

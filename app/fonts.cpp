@@ -18,15 +18,15 @@ namespace fs = std::filesystem;
 namespace {
 
 // Where distributions put them. DejaVu first: its figures have one width, and the window's numbers must not jump.
-constexpr std::array<std::string_view, 5> text_files{
-    "truetype/dejavu/DejaVuSans.ttf", "dejavu-sans-fonts/DejaVuSans.ttf", "TTF/DejaVuSans.ttf", "DejaVuSans.ttf",
-    "opentype/inter/Inter-Regular.otf"};
-constexpr std::array<std::string_view, 5> bold_files{
-    "truetype/dejavu/DejaVuSans-Bold.ttf", "dejavu-sans-fonts/DejaVuSans-Bold.ttf", "TTF/DejaVuSans-Bold.ttf",
-    "DejaVuSans-Bold.ttf", "opentype/inter/Inter-SemiBold.otf"};
-constexpr std::array<std::string_view, 4> code_files{
-    "truetype/dejavu/DejaVuSansMono.ttf", "dejavu-sans-mono-fonts/DejaVuSansMono.ttf", "TTF/DejaVuSansMono.ttf",
-    "DejaVuSansMono.ttf"};
+constexpr std::array<std::string_view, 5> text_files{"truetype/dejavu/DejaVuSans.ttf",
+                                                     "dejavu-sans-fonts/DejaVuSans.ttf", "TTF/DejaVuSans.ttf",
+                                                     "DejaVuSans.ttf", "opentype/inter/Inter-Regular.otf"};
+constexpr std::array<std::string_view, 5> bold_files{"truetype/dejavu/DejaVuSans-Bold.ttf",
+                                                     "dejavu-sans-fonts/DejaVuSans-Bold.ttf", "TTF/DejaVuSans-Bold.ttf",
+                                                     "DejaVuSans-Bold.ttf", "opentype/inter/Inter-SemiBold.otf"};
+constexpr std::array<std::string_view, 4> code_files{"truetype/dejavu/DejaVuSansMono.ttf",
+                                                     "dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
+                                                     "TTF/DejaVuSansMono.ttf", "DejaVuSansMono.ttf"};
 
 std::vector<fs::path> font_folders() {
     std::vector<fs::path> folders;
@@ -63,7 +63,9 @@ Font picture_font() {
     try {
         const std::string bytes = read_file(*file, std::size_t(64) << 20);
         return Font::from_bytes(std::as_bytes(std::span(bytes)));
-    } catch (const InputError&) { return {}; }
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 }  // namespace kd

@@ -24,7 +24,8 @@ class CpuFrameTracer final : public FrameTracer {
                     const std::function<void(float)>& progress) override {
         prepare(config, width, height);
         FrameTime time;
-        time.total_ms = wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
+        time.total_ms =
+            wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
         return time;
     }
 
@@ -68,7 +69,8 @@ class GlFrameTracer final : public FrameTracer {
             clock_ = report.clock;
             time.total_ms += report.total_ms;
             for (std::size_t pass = 0; pass < pass_count; ++pass)
-                if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+                if (report.pass_ms[pass] > 0)
+                    time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
             if (progress) progress(float(band.y1) / float(height));
         }
         return time;

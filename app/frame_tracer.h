@@ -41,7 +41,7 @@ class FrameTracer {
 };
 
 /// `scene` and `tree` must outlive the tracer. `context` and `threads` matter to GL and to the CPU alone. ContextError.
-[[nodiscard]] std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree,
-                                                             int threads, ContextKind context);
+[[nodiscard]] std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene,
+                                                             const KdTree& tree, int threads, ContextKind context);
 
 }  // namespace kd

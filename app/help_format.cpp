@@ -15,7 +15,8 @@ std::string entry_lines(const std::string& name, const std::string& text) {
         lines += "\n" + std::string(text_column, ' ');
         column = text_column;
     };
-    if (column + 2 > text_column) new_line();
+    if (column + 2 > text_column)
+        new_line();
     else {
         lines += std::string(text_column - column, ' ');
         column = text_column;
@@ -24,7 +25,8 @@ std::string entry_lines(const std::string& name, const std::string& text) {
     while (at < text.size()) {
         const std::size_t end = std::min(text.find(' ', at), text.size());
         const std::size_t length = end - at;
-        if (column > text_column && column + 1 + length > last_column) new_line();
+        if (column > text_column && column + 1 + length > last_column)
+            new_line();
         else if (column > text_column) {
             lines += ' ';
             ++column;
@@ -47,14 +49,14 @@ std::string help_list(std::string_view title, const std::vector<HelpEntry>& entr
 HelpFormatter::HelpFormatter() {
     label("OPTIONS", "options");
     label("SUBCOMMAND", "COMMAND");
-    label("Subcommands", "Commands");
     label("Positionals", "Scene");
     label("REQUIRED", "(required)");
 }
 
 std::string HelpFormatter::make_group(std::string group, bool is_positional,
                                       std::vector<const CLI::Option*> options) const {
-    std::string text = "\n" + group + ":\n";
+    // CLI11 itself separates the groups after the first.
+    std::string text = (is_positional || group == "Options" ? "\n" : "") + group + ":\n";
     for (const CLI::Option* option : options) text += make_option(option, is_positional);
     return text;
 }

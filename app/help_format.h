@@ -20,7 +20,8 @@ struct HelpEntry {
 class HelpFormatter : public CLI::Formatter {
   public:
     HelpFormatter();
-    std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override;
+    std::string make_group(std::string group, bool is_positional,
+                           std::vector<const CLI::Option*> options) const override;
     std::string make_option(const CLI::Option* option, bool is_positional) const override;
     std::string make_subcommand(const CLI::App* sub) const override;
 };

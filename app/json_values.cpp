@@ -9,9 +9,7 @@ namespace kd {
 
 namespace {
 
-Json json_of(Vec3 v) {
-    return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)});
-}
+Json json_of(Vec3 v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 
 }  // namespace
 
@@ -20,9 +18,7 @@ Json json_number(float value) {
     return Json::parse(fmt::format("{}", value));
 }
 
-std::string json_text(const Json& value) {
-    return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string json_text(const Json& value) { return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string json_key(std::string_view name) {
     std::string key(name);
@@ -91,8 +87,9 @@ Json json_of(const FlatScene& scene) {
               {"textures", scene.textures.size()},
               {"lights", scene.lights.size()},
               {"notes", scene.notes}};
-    json["bounds"] = scene.bounds.empty() ? Json(nullptr)
-                                          : Json{{"lower", json_of(scene.bounds.lower)}, {"upper", json_of(scene.bounds.upper)}};
+    json["bounds"] = scene.bounds.empty()
+                         ? Json(nullptr)
+                         : Json{{"lower", json_of(scene.bounds.lower)}, {"upper", json_of(scene.bounds.upper)}};
     return json;
 }
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <fstream>
+#include <unistd.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"
+#include "renderer/trace/frame.h"
 
 namespace kd {
 
@@ -21,6 +24,16 @@ std::string cpu_model() {
 std::string cpu_renderer(int threads) {
     const int used = threads > 0 ? threads : default_threads();
     return fmt::format("{}, {}, {} thread{}", cpu_model(), cpu_target_name(), used, used == 1 ? "" : "s");
+}
+
+void check_frame_memory(int width, int height) {
+    constexpr double per_pixel = sizeof(Vec4) + pass_count * (sizeof(Hit) + sizeof(RayCounters));
+    const double needed = per_pixel * double(width) * double(height);
+    const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE));
+    if (there > 0 && needed > 0.8 * there)
+        throw InputError(fmt::format("--size: {}x{} pixels with all their counters take {:.1f} GB, this machine has {:.1f} "
+                                     "GB; choose a smaller size",
+                                     width, height, needed * 1e-9, there * 1e-9));
 }
 
 }  // namespace kd

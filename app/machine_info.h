@@ -11,4 +11,7 @@ namespace kd {
 /// "Intel(R) Xeon(R) ..., AVX2, 2 threads": the renderer's name of the CPU tracers. 0 threads = all.
 [[nodiscard]] std::string cpu_renderer(int threads);
 
+/// InputError where the frame of a picture does not fit into this machine's memory.
+void check_frame_memory(int width, int height);
+
 }  // namespace kd

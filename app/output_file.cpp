@@ -42,7 +42,8 @@ void check_output(std::string_view option, const std::string& path, const std::s
         fail(option, path, fmt::format("folder '{}': {}", printable(folder.string(), 1000), std::strerror(errno)));
 }
 
-void check_output(std::string_view option, const std::string& path, const std::string& scene, std::string_view extension) {
+void check_output(std::string_view option, const std::string& path, const std::string& scene,
+                  std::string_view extension) {
     if (!path.ends_with(extension))
         throw InputError(fmt::format("{}: '{}' does not end in {}", option, printable(path, 1000), extension));
     check_output(option, path, scene);

@@ -11,6 +11,7 @@ namespace kd {
 void check_output(std::string_view option, const std::string& path, const std::string& scene);
 
 /// As check_output, and the name must end in `extension` (".png").
-void check_output(std::string_view option, const std::string& path, const std::string& scene, std::string_view extension);
+void check_output(std::string_view option, const std::string& path, const std::string& scene,
+                  std::string_view extension);
 
 }  // namespace kd

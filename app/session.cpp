@@ -38,8 +38,9 @@ fs::path scene_file(const std::string& name) {
     if (fs::exists(given, error)) return given;
     if (!given.has_parent_path() && names_gltf(given))
         if (const auto shipped = find_asset("scenes/" + name)) return *shipped;
-    throw InputError(fmt::format("scene '{}': no such file, and no scene of this name; known: {}, or a .gltf or .glb file",
-                                 printable(name), known_scenes()));
+    throw InputError(
+        fmt::format("scene '{}': no such file, and no scene of this name; known: {}, or a .gltf or .glb file",
+                    printable(name), known_scenes()));
 }
 
 }  // namespace
@@ -48,8 +49,8 @@ FlatScene load_scene(const std::string& name, unsigned seed) {
     if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);
     const fs::path file = scene_file(name);
     if (!names_gltf(file))
-        throw InputError(fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0",
-                                     printable(name)));
+        throw InputError(
+            fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));
     return flatten(load_gltf(file));
 }
 

@@ -15,15 +15,15 @@ namespace kd {
 enum class TracerKind { cpu, gl_fragment };
 
 struct Session {
-    std::string scene = "ball:9000"; // procedural name or file
+    std::string scene = "ball:9000";  // procedural name or file
     unsigned seed = 1;
     BuildConfig build;
     TraceConfig trace;
     TracerKind tracer = TracerKind::cpu;
-    std::optional<Camera> camera; // the scene's own where absent
+    std::optional<Camera> camera;  // the scene's own where absent
     ViewConfig view;
     int width = 512, height = 512;
-    int threads = 0; // 0 = all
+    int threads = 0;  // 0 = all
 
     bool operator==(const Session&) const = default;
 };
@@ -35,4 +35,4 @@ struct Session {
 /// True where `name` reads like a scene, whether or not it can be loaded.
 [[nodiscard]] bool names_scene(const std::string& name);
 
-} // namespace kd
+}  // namespace kd

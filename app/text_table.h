@@ -22,7 +22,8 @@ class TextTable {
     void print(std::ostream& out) const;
 
   private:
-    void print_row(std::ostream& out, const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const;
+    void print_row(std::ostream& out, const std::vector<std::string>& cells,
+                   const std::vector<std::size_t>& widths) const;
 
     std::vector<Column> columns_;
     std::vector<std::vector<std::string>> rows_;

@@ -7,16 +7,16 @@
 
 namespace kd {
 
-void refuse(const std::string& reason) {
-    throw std::invalid_argument(reason);
-}
+void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
 
 CLI::Option* add_text_option(CLI::App& app, const std::string& flag, const std::string& type, const std::string& text,
                              std::function<void(const std::string&)> take) {
     const auto read = [flag, take = std::move(take)](const std::string& given) {
         try {
             take(given);
-        } catch (const std::invalid_argument& error) { throw CLI::ValidationError(flag, printable(error.what(), 1000)); }
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(flag, printable(error.what(), 1000));
+        }
     };
     return app.add_option_function<std::string>(flag, read, text)->type_name(type);
 }

@@ -36,13 +36,14 @@ CLI::Option* add_text_option(CLI::App& app, const std::string& flag, const std::
 template <class T, class Target>
 CLI::Option* add_number(CLI::App& app, const std::string& flag, Target& target, std::type_identity_t<T> low,
                         std::type_identity_t<T> high, const std::string& text) {
-    return add_text_option(app, flag, std::integral<T> ? "N" : "X", text, [&target, low, high](const std::string& given) {
-        const std::optional<T> value = parse_number<T>(given);
-        if (!value || !(*value >= low && *value <= high))
-            refuse(fmt::format("'{}' is not a {} from {} to {}", given, std::integral<T> ? "whole number" : "number", low,
-                               high));
-        target = *value;
-    });
+    return add_text_option(app, flag, std::integral<T> ? "N" : "X", text,
+                           [&target, low, high](const std::string& given) {
+                               const std::optional<T> value = parse_number<T>(given);
+                               if (!value || !(*value >= low && *value <= high))
+                                   refuse(fmt::format("'{}' is not a {} from {} to {}", given,
+                                                      std::integral<T> ? "whole number" : "number", low, high));
+                               target = *value;
+                           });
 }
 
 template <class T>
@@ -79,6 +80,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, Target& target, 
 [[nodiscard]] Vec3 parse_vec3(const std::string& text);
 
 /// "512x384": two whole numbers in [low, high].
-void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, int low, int high, const std::string& text);
+void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, int low, int high,
+              const std::string& text);
 
 }  // namespace kd

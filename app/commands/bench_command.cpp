@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/json_values.h"
+#include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
 #include "app/typed_options.h"
@@ -59,13 +60,15 @@ std::vector<Traversal> wanted_traversals(const BenchOptions& options) {
 }
 
 /// The tracers asked for; GL that is not there becomes a note unless it was named.
-std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(const BenchOptions& options, BenchScene& bench) {
+std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(const BenchOptions& options,
+                                                                              BenchScene& bench) {
     std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> tracers;
     const ContextKind context = options.context.value_or(ContextKind::automatic);
     for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
         if (options.tracer && *options.tracer != kind) continue;
         try {
-            tracers.emplace_back(kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, context));
+            tracers.emplace_back(kind,
+                                 make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, context));
         } catch (const ContextError& error) {
             if (options.tracer || options.context) throw;
             bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), error.what()));
@@ -136,12 +139,21 @@ Json json_of(const BenchScene& bench, const BenchRow& row) {
 void print(std::ostream& out, const BenchOptions& options, const BenchScene& bench) {
     using enum TextTable::Align;
     const Session& s = bench.session;
-    out << fmt::format("{}: {} triangles, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
-                       "{} reflection shadow\n",
-                       s.scene, bench.scene.triangles.size(), s.build.builder, 1e3 * bench.build.seconds, s.width, s.height,
-                       bench.ray_sum(), bench.rays[0], bench.rays[1], bench.rays[2], bench.rays[3]);
-    TextTable table({{"tracer", left}, {"traversal", left}, {"ms median"}, {"p25"}, {"p75"}, {"Mray/s"}, {"steps/ray"},
-                     {"tests/ray"}, {"clock", left}, {"renderer", left}});
+    out << fmt::format(
+        "{}: {} triangles, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
+        "{} reflection shadow\n",
+        s.scene, bench.scene.triangles.size(), s.build.builder, 1e3 * bench.build.seconds, s.width, s.height,
+        bench.ray_sum(), bench.rays[0], bench.rays[1], bench.rays[2], bench.rays[3]);
+    TextTable table({{"tracer", left},
+                     {"traversal", left},
+                     {"ms median"},
+                     {"p25"},
+                     {"p75"},
+                     {"Mray/s"},
+                     {"steps/ray"},
+                     {"tests/ray"},
+                     {"clock", left},
+                     {"renderer", left}});
     const double rays = double(std::max<std::int64_t>(bench.ray_sum(), 1));
     for (const BenchRow& row : bench.rows)
         table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name),
@@ -159,6 +171,7 @@ void print(std::ostream& out, const BenchOptions& options, const BenchScene& ben
 BenchScene open(const BenchOptions& options, const std::string& name, CommandContext& context) {
     BenchScene bench;
     bench.session = options.session_for(name);
+    check_frame_memory(bench.session.width, bench.session.height);
     bench.scene = open_scene(options, bench.session);
     bench.tree = build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop);
     check_stop(context);
@@ -189,7 +202,8 @@ int run(const BenchOptions& options, CommandContext& context) {
 CommandBody declare(CLI::App& app) {
     const auto options = std::make_shared<BenchOptions>();
     add_scenes(app, *options);
-    add_number<int>(app, "--rounds", options->rounds, 1, 100000, fmt::format("Timed frames of each [{}]", options->rounds));
+    add_number<int>(app, "--rounds", options->rounds, 1, 100000,
+                    fmt::format("Timed frames of each [{}]", options->rounds));
     add_number<int>(app, "--warmup", options->warmup, 0, 100000,
                     fmt::format("Frames of each before that [{}]", options->warmup));
     app.add_flag("--naive", options->naive, "Also the loop over all triangles: slow");
@@ -206,13 +220,14 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command bench_command() {
-    return {"bench", "Times whole frames of every tracer and traversal",
-            "All traversals but naive on cpu and gl-fragment unless options name one. A frame is all its rays: primary,\n"
-            "shadow, reflection. Median and quartiles over rounds that take every contestant in turn.\n\n"
-            "Examples:\n"
-            "  kdscope bench ball:9000 scatter:10000\n"
-            "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
-            declare};
+    return {
+        "bench", "Times whole frames of every tracer and traversal",
+        "All traversals but naive on cpu and gl-fragment unless options name one. A frame is all its rays: primary,\n"
+        "shadow, reflection. Median and quartiles over rounds that take every contestant in turn.\n\n"
+        "Examples:\n"
+        "  kdscope bench ball:9000 scatter:10000\n"
+        "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
+        declare};
 }
 
 }  // namespace kd

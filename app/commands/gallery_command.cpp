@@ -30,8 +30,10 @@ struct Picture {
     const char* map;  // null: none
     bool overlay;
 };
-constexpr std::array<Picture, 4> pictures{
-    {{"beauty", nullptr, false}, {"nodes", "nodes", false}, {"divergence", "divergence", false}, {"splits", nullptr, true}}};
+constexpr std::array<Picture, 4> pictures{{{"beauty", nullptr, false},
+                                           {"nodes", "nodes", false},
+                                           {"divergence", "divergence", false},
+                                           {"splits", nullptr, true}}};
 
 struct GalleryScene {
     std::string name;
@@ -65,7 +67,8 @@ ViewConfig view_of(const Picture& picture, const GalleryScene& scene) {
 void make_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) throw InputError(fmt::format("--output: cannot make the folder '{}': {}", folder, error.message()));
+    if (!fs::is_directory(folder))
+        throw InputError(fmt::format("--output: cannot make the folder '{}': {}", folder, error.message()));
     check_output("--output", (fs::path(folder) / "beauty.png").string(), "");
 }
 
@@ -77,7 +80,8 @@ int run(const GalleryOptions& options, CommandContext& context) {
         rendering.session.scene = fs::path(scene.name).filename().string();
         for (const Picture& picture : pictures) {
             check_stop(context);
-            const fs::path path = fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name);
+            const fs::path path =
+                fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name);
             write_picture(path.string(), rendering, view_of(picture, scene), true, font);
             context.out << path.string() << '\n' << std::flush;
         }

@@ -41,7 +41,9 @@ Json context_info(ContextKind kind) {
             context->gl().GetIntegerv(limit.value, &value);
             json["limits"][limit.name] = value;
         }
-    } catch (const ContextError& error) { json["unavailable"] = error.what(); }
+    } catch (const ContextError& error) {
+        json["unavailable"] = error.what();
+    }
     return json;
 }
 
@@ -114,8 +116,9 @@ void print(std::ostream& out, const Json& json) {
             line(word(context["context"]), "not available: " + word(context["unavailable"]));
             continue;
         }
-        line(word(context["context"]), fmt::format("{}, OpenGL {}{}", word(context["renderer"]), word(context["version"]),
-                                                   context["software"] == true ? ", software" : ""));
+        line(word(context["context"]),
+             fmt::format("{}, OpenGL {}{}", word(context["renderer"]), word(context["version"]),
+                         context["software"] == true ? ", software" : ""));
         std::string list;
         for (const auto& [name, value] : context["limits"].items())
             list += fmt::format("{}{} {}", list.empty() ? "" : ", ", name, word(value));
@@ -132,8 +135,10 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--json", *json, "JSON instead of text");
     return [json](CommandContext& context) {
         const Json facts = collect();
-        if (*json) context.out << json_text(facts);
-        else print(context.out, facts);
+        if (*json)
+            context.out << json_text(facts);
+        else
+            print(context.out, facts);
         return int(exit_ok);
     };
 }

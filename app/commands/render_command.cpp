@@ -68,7 +68,8 @@ void print(std::ostream& out, const Rendering& r) {
     out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
                        name_of(s.tracer), r.time.total_ms, r.clock);
     for (std::size_t pass = 0; pass < pass_count; ++pass)
-        if (r.time.pass_ms[pass] >= 0) out << fmt::format("  {:<9} {:.1f} ms\n", pass_names[pass], r.time.pass_ms[pass]);
+        if (r.time.pass_ms[pass] >= 0)
+            out << fmt::format("  {:<9} {:.1f} ms\n", pass_names[pass], r.time.pass_ms[pass]);
     out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
 }
 
@@ -148,7 +149,8 @@ void add_map_options(CLI::App& app, RenderOptions& o) {
     add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
     app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
     add_range(app, view.heat);
-    add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")->group("Map");
+    add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")
+        ->group("Map");
     add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, 1, 1024,
              fmt::format("Pixels that run in lockstep, for divergence and idle [{}x{}]", view.map.tile_width,
                          view.map.tile_height));
@@ -200,9 +202,9 @@ Command render_command() {
             map_list() +
                 "\nExamples:\n"
                 "  kdscope render ball:9000 -o ball.png\n"
-            "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
-            "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
-            "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n",
+                "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
+                "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
+                "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n",
             declare};
 }
 

@@ -35,7 +35,9 @@ struct GlProbe {
         try {
             context = Context::create(kind);
             tracer = std::make_unique<GlTracer>(*context);
-        } catch (const std::runtime_error& error) { refused = error.what(); }
+        } catch (const std::runtime_error& error) {
+            refused = error.what();
+        }
     }
 
     void measure(const FlatScene& scene, const KdTree& tree, const Session& session, Entry& entry) {
@@ -45,7 +47,9 @@ struct GlProbe {
             tracer->upload(scene, tree);
             tracer->prepare({.trace = session.trace}, session.width, session.height);
             entry.gl = tracer->memory();
-        } catch (const std::runtime_error& error) { entry.gl_refused = error.what(); }
+        } catch (const std::runtime_error& error) {
+            entry.gl_refused = error.what();
+        }
     }
 
     std::unique_ptr<Context> context;
@@ -68,9 +72,7 @@ struct Quantity {
     std::string (*text)(const Entry&);
 };
 
-std::string gl_text(const Entry& e, std::int64_t GlMemory::*part) {
-    return e.gl ? bytes_text((*e.gl).*part) : "-";
-}
+std::string gl_text(const Entry& e, std::int64_t GlMemory::*part) { return e.gl ? bytes_text((*e.gl).*part) : "-"; }
 
 std::string share_text(std::int64_t part, std::int64_t whole) {
     return fmt::format("{} ({:.0f} %)", part, whole > 0 ? 100.0 * double(part) / double(whole) : 0.0);
@@ -87,7 +89,8 @@ constexpr Quantity quantities[] = {
     {"references", [](const Entry& e) { return fmt::format("{}", e.stats.references); }},
     {"references per triangle", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.references_per_triangle); }},
     {"SAH cost, traversal steps", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.sah_cost); }},
-    {"expected interior visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_interior_visits); }},
+    {"expected interior visits",
+     [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_interior_visits); }},
     {"expected leaf visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_leaf_visits); }},
     {"expected triangle tests", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_triangle_tests); }},
     {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", 1e3 * e.build.seconds); }},
@@ -121,13 +124,14 @@ Json json_of(const Entry& e) {
                             {"references", e.gl->references}, {"triangles", e.gl->triangles},
                             {"attributes", e.gl->attributes}, {"textures", e.gl->textures},
                             {"targets", e.gl->targets},       {"all", total(*e.gl)}};
-    else json["gl_bytes"] = nullptr;
+    else
+        json["gl_bytes"] = nullptr;
     return json;
 }
 
 void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
-    out << fmt::format("{}: {} triangles, {} materials, {} textures, {} lights\n", session.scene, scene.triangles.size(),
-                       scene.materials.size(), scene.textures.size(), scene.lights.size());
+    out << fmt::format("{}: {} triangles, {} materials, {} textures, {} lights\n", session.scene,
+                       scene.triangles.size(), scene.materials.size(), scene.textures.size(), scene.lights.size());
     for (const std::string& note : scene.notes) out << "note: " << note << '\n';
     std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
     for (const Entry& entry : entries) columns.push_back({entry.builder});

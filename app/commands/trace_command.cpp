@@ -10,8 +10,8 @@
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "renderer/cpu/cpu_tracer.h"
-#include "renderer/gl/gl_tracer.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/gl/gl_tracer.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
 #include "renderer/trace/counters.h"
@@ -42,8 +42,8 @@ void add_rows(std::string& table, std::string_view algorithm, const std::string&
               std::span<const RayCounters> counters) {
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const Hit& h = hits[i];
-        table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle, h.t, h.u,
-                             h.v);
+        table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle, h.t,
+                             h.u, h.v);
         for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
         table += fmt::format(",{}\n", counters[i].exit_reason);
     }
@@ -63,8 +63,8 @@ class RayTracers {
         : cpu_(scene, tree) {
         const bool all = !options.tracer;
         if (all || *options.tracer == TracerKind::cpu)
-            list_.push_back({"cpu", [this, threads = options.session.threads](const TraceConfig& config, auto rays, auto hits,
-                                                                              auto counters) {
+            list_.push_back({"cpu", [this, threads = options.session.threads](const TraceConfig& config, auto rays,
+                                                                              auto hits, auto counters) {
                                  cpu_.trace_rays(config, rays, false, hits, counters, threads);
                              }});
         if (!all && *options.tracer != TracerKind::gl_fragment) return;
@@ -116,8 +116,8 @@ int run(const TraceOptions& options, CommandContext& context) {
                         const std::size_t n = std::min(rays_per_step, rays.size() - first);
                         progress.show(float(first) / float(rays.size()),
                                       fmt::format("{} on {}", info(traversal).name, tracer.name));
-                        tracer.trace(session.trace, std::span(rays).subspan(first, n), std::span(hits).subspan(first, n),
-                                     std::span(counters).subspan(first, n));
+                        tracer.trace(session.trace, std::span(rays).subspan(first, n),
+                                     std::span(hits).subspan(first, n), std::span(counters).subspan(first, n));
                     }
                 } catch (const InputError& error) {
                     if (options.traversal) throw;
@@ -129,8 +129,10 @@ int run(const TraceOptions& options, CommandContext& context) {
             }
     }
     check_stop(context);
-    if (options.output == "-") context.out << table;
-    else write_file(options.output, table);
+    if (options.output == "-")
+        context.out << table;
+    else
+        write_file(options.output, table);
     return exit_ok;
 }
 
@@ -152,14 +154,15 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command trace_command() {
-    return {"trace", "Traces your own rays with every traversal and tracer",
-            "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
-            "exit_reason (0 miss, 1 hit, 2 step cap, 3 stack overflow, 4 invalid ray). Where nothing was hit, triangle is\n"
-            "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
-            "Examples:\n"
-            "  kdscope trace ball:9000 --rays rays.csv -o hits.csv\n"
-            "  kdscope trace model.gltf --rays rays.csv -o - --traversal restart --tracer cpu\n",
-            declare};
+    return {
+        "trace", "Traces your own rays with every traversal and tracer",
+        "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
+        "exit_reason (0 miss, 1 hit, 2 step cap, 3 stack overflow, 4 invalid ray). Where nothing was hit, triangle is\n"
+        "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
+        "Examples:\n"
+        "  kdscope trace ball:9000 --rays rays.csv -o hits.csv\n"
+        "  kdscope trace model.gltf --rays rays.csv -o - --traversal restart --tracer cpu\n",
+        declare};
 }
 
 }  // namespace kd

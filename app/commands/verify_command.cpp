@@ -64,15 +64,25 @@ Json json_of(const VerifyReport& report) {
                         {"counter_mismatches", row.counter_mismatches},
                         {"seconds", row.seconds},
                         {"first_failure", row.first_failure.empty() ? Json(nullptr) : Json(row.first_failure)}});
-    return {{"scene", report.scene}, {"triangles", report.triangles}, {"passed", report.passed()},
+    return {{"scene", report.scene}, {"triangles", report.triangles},   {"passed", report.passed()},
             {"rows", rows},          {"violations", report.violations}, {"notes", report.notes}};
 }
 
 void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
     using enum TextTable::Align;
     out << fmt::format("{}: {} triangles\n", scene, report.triangles);
-    TextTable table({{"builder", left}, {"traversal", left}, {"leaf lists", left}, {"tracer", left}, {"context", left},
-                     {"pixel rays"}, {"adversarial"}, {"mismatches"}, {"ties"}, {"counters"}, {"seconds"}, {"verdict", left}});
+    TextTable table({{"builder", left},
+                     {"traversal", left},
+                     {"leaf lists", left},
+                     {"tracer", left},
+                     {"context", left},
+                     {"pixel rays"},
+                     {"adversarial"},
+                     {"mismatches"},
+                     {"ties"},
+                     {"counters"},
+                     {"seconds"},
+                     {"verdict", left}});
     for (const VerifyRow& row : report.rows)
         table.add_row({row.builder, row.traversal, row.leaf_lists, row.tracer, row.context,
                        fmt::format("{}", row.pixel_rays), fmt::format("{}", row.adversarial_rays),
@@ -106,7 +116,8 @@ int run(const VerifyOptions& options, CommandContext& context) {
         }
         check_stop(context);
         passed = passed && report.passed();
-        if (options.json) json.push_back(json_of(report));
+        if (options.json)
+            json.push_back(json_of(report));
         else {
             if (name != options.scenes.front()) context.out << '\n';
             print(context.out, name, report);
@@ -123,11 +134,12 @@ CommandBody declare(CLI::App& app) {
     constexpr int most_rays = 1 << 24;
     add_scenes(app, *options);
     app.add_flag("--json", options->json, "JSON instead of a table");
-    add_number<int>(app, "--rays", config.stratified_rays, 1, most_rays,
-                    fmt::format("Pixel rays where there are too many triangles for every pixel's [{}]",
-                                config.stratified_rays));
-    add_number<std::int64_t>(app, "--every-pixel-limit", config.every_pixel_limit, 0, std::int64_t(1) << 40,
-                             fmt::format("Most triangles for checking every pixel's ray [{}]", config.every_pixel_limit));
+    add_number<int>(
+        app, "--rays", config.stratified_rays, 1, most_rays,
+        fmt::format("Pixel rays where there are too many triangles for every pixel's [{}]", config.stratified_rays));
+    add_number<std::int64_t>(
+        app, "--every-pixel-limit", config.every_pixel_limit, 0, std::int64_t(1) << 40,
+        fmt::format("Most triangles for checking every pixel's ray [{}]", config.every_pixel_limit));
     add_number<int>(app, "--adversarial", config.adversarial_rays, 0, most_rays,
                     fmt::format("Rays made to break traversals [{}]", config.adversarial_rays));
     add_size_option(app, *options);
@@ -141,14 +153,15 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command verify_command() {
-    return {"verify", "Checks every traversal, builder and tracer against brute force, bit for bit",
-            "All builders, traversals and tracers are checked unless options name one. A mismatch is a hit, distance or\n"
-            "barycentric that differs in any bit; a tie is another triangle at the same distance; counters of OpenGL\n"
-            "must equal the CPU's. Exit code 1 where anything differs.\n\n"
-            "Examples:\n"
-            "  kdscope verify ball:9000 rooms scatter:10000\n"
-            "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n",
-            declare};
+    return {
+        "verify", "Checks every traversal, builder and tracer against brute force, bit for bit",
+        "All builders, traversals and tracers are checked unless options name one. A mismatch is a hit, distance or\n"
+        "barycentric that differs in any bit; a tie is another triangle at the same distance; counters of OpenGL\n"
+        "must equal the CPU's. Exit code 1 where anything differs.\n\n"
+        "Examples:\n"
+        "  kdscope verify ball:9000 rooms scatter:10000\n"
+        "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n",
+        declare};
 }
 
 }  // namespace kd

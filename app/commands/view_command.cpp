@@ -34,9 +34,7 @@ int run(const CommonOptions& options, CommandContext& context) {
 
 #else
 
-int run(const CommonOptions&, CommandContext&) {
-    throw NoDisplay(std::string("this build has no window") + instead);
-}
+int run(const CommonOptions&, CommandContext&) { throw NoDisplay(std::string("this build has no window") + instead); }
 
 #endif
 

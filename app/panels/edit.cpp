@@ -75,9 +75,9 @@ void next_colormap(Edit& edit) {
 void lock_range(const EngineState& state, Edit& edit, bool lock) {
     HeatmapConfig& heat = edit.session.view.heat;
     heat.range_mode = lock ? RangeMode::locked : RangeMode::automatic;
-    if (!lock || !state.picture || !state.picture->summary) return;
-    heat.range_min = state.picture->summary->range.min;
-    heat.range_max = state.picture->summary->range.max;
+    if (!lock || !state.picture || !state.picture->map) return;
+    heat.range_min = state.picture->map->summary.range.min;
+    heat.range_max = state.picture->map->summary.range.max;
 }
 
 void switch_tracer(const EngineState& state, Edit& edit) {

@@ -21,7 +21,7 @@ struct WindowSettings {
     float fly_speed = 1;            // times the scene's size per 4 seconds
 };
 
-enum class Command {
+enum class Action {
     cancel_build,
     dismiss_messages,
     export_picture,  // the bare picture
@@ -34,11 +34,11 @@ enum class Command {
 struct Edit {
     Session session;
     WindowSettings window;
-    std::vector<Command> commands;
+    std::vector<Action> actions;
     std::optional<PixelPosition> hovered;  // under the mouse
     std::string last_export;               // for people: the file written last
 
-    void do_once(Command command) { commands.push_back(command); }
+    void do_once(Action action) { actions.push_back(action); }
 };
 
 /// Changes that panels and keys share.

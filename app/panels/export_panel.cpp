@@ -1,4 +1,6 @@
 // EXPORT: pictures and tables of what is shown. Names count up; nothing is overwritten.
+#include <imgui.h>
+// After imgui.h, which it needs.
 #include <imgui_stdlib.h>
 
 #include "app/panels/panel.h"
@@ -10,16 +12,16 @@ namespace kd {
 void draw_export_panel(const EngineState& state, Edit& edit) {
     const bool ready = state.picture && !state.stale();
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    const auto button = [&](const char* label, Command command, const char* tooltip) {
-        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, half)) edit.do_once(command);
+    const auto button = [&](const char* label, Action action, const char* tooltip) {
+        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, half)) edit.do_once(action);
     };
-    button("figure", Command::export_figure, "PNG with title, legend and a caption that names every setting. Key F12.");
+    button("figure", Action::export_figure, "PNG with title, legend and a caption that names every setting. Key F12.");
     ImGui::SameLine();
-    button("picture", Command::export_picture, "PNG of the picture alone.");
-    button("window", Command::export_window, "PNG of the whole window, with its panels.");
+    button("picture", Action::export_picture, "PNG of the picture alone.");
+    button("window", Action::export_window, "PNG of the whole window, with its panels.");
     ImGui::SameLine();
-    button("CSV", Command::export_csv, "A row per pixel: hit and every counter of every pass.");
-    button("JSON", Command::export_json, "Settings, tree, times and counter totals.");
+    button("CSV", Action::export_csv, "A row per pixel: hit and every counter of every pass.");
+    button("JSON", Action::export_json, "Settings, tree, times and counter totals.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(half);
     ImGui::InputTextWithHint("##folder", "folder", &edit.window.folder);

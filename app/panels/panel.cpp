@@ -4,13 +4,13 @@ namespace kd {
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
-        {"VIEW", PanelPlace::left, true, draw_view_panel},
-        {"TRACING", PanelPlace::left, true, draw_tracing_panel},
-        {"TREE", PanelPlace::left, true, draw_tree_panel},
-        {"SCENE", PanelPlace::left, true, draw_scene_panel},
-        {"PIXEL", PanelPlace::right, true, draw_pixel_panel},
-        {"EXPORT", PanelPlace::right, true, draw_export_panel},
-        {"TIME", PanelPlace::bottom, true, draw_time_panel},
+        {"SCENE", PanelPlace::left, 800, draw_scene_panel},
+        {"TREE", PanelPlace::left, 0, draw_tree_panel},
+        {"TRACING", PanelPlace::left, 0, draw_tracing_panel},
+        {"VIEW", PanelPlace::left, 0, draw_view_panel},
+        {"PIXEL", PanelPlace::right, 0, draw_pixel_panel},
+        {"EXPORT", PanelPlace::right, 0, draw_export_panel},
+        {"TIME", PanelPlace::bottom, 0, draw_time_panel},
     };
     return table;
 }

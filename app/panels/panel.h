@@ -21,7 +21,7 @@ enum class PanelPlace { left, right, bottom };
 struct Panel {
     const char* title;
     PanelPlace place;
-    bool open_at_first;
+    float open_from;  // open at first where the window is at least this high, in pixels at scale 1
     void (*draw)(const EngineState&, Edit&);
 };
 

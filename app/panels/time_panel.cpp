@@ -86,7 +86,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
 
     ImGui::Columns(5, "time", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
-    const float widths[] = {theme::px(118), theme::px(138), theme::px(92), theme::px(158)};
+    const float widths[] = {theme::px(124), theme::px(140), theme::px(108), theme::px(160)};
     for (int i = 0; i < 4; ++i) ImGui::SetColumnWidth(i, widths[i]);
     ImGui::SetColumnWidth(4, std::max(theme::px(100), width - widths[0] - widths[1] - widths[2] - widths[3]));
     draw_machine(fmt::format("CPU {}", traversal).c_str(), theme::cpu, duel.cpu, duel.rays, waiting);

@@ -14,19 +14,19 @@ void draw_builder(Edit& edit) {
     int index = -1;
     for (int i = 0; i < int(all.size()); ++i)
         if (all[std::size_t(i)].name == edit.session.build.builder) index = i;
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].title); };
-    const auto summary = [&](int i) { return std::string(all[std::size_t(i)].summary); };
+    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
+    const auto summary = [&](int i) { return fmt::format("{}: {}", all[std::size_t(i)].title, all[std::size_t(i)].summary); };
     if (widgets::choice("builder", index, int(all.size()), name, summary, "Where the tree puts its split planes. Key B: the next."))
         edit.session.build.builder = all[std::size_t(index)].name;
 }
 
 void draw_constants(BuildConfig& b, const EngineState& state) {
-    widgets::slider("step cost t_t", b.traversal_cost, 0.1f, 10, "%.2f",
+    widgets::slider("step cost", b.traversal_cost, 0.1f, 10, "%.2f",
                     "Cost t_t of visiting one interior node. Larger makes flatter trees with larger leaves.", true);
-    widgets::slider("test cost t_i", b.intersection_cost, 0.1f, 10, "%.2f",
+    widgets::slider("test cost", b.intersection_cost, 0.1f, 10, "%.2f",
                     "Cost t_i of one triangle test. Larger makes deeper trees with fewer tests.", true);
-    widgets::slider("empty bonus b_e", b.empty_bonus, 0, 1, "%.2f",
-                    "Part of the cost forgiven when a split leaves one child empty. Larger carves off more empty space.");
+    widgets::slider("empty bonus", b.empty_bonus, 0, 1, "%.2f",
+                    "b_e: the part of the cost forgiven when a split leaves one child empty. Larger carves off more empty space.");
     widgets::slider("bonus from", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node.");
     widgets::slider("leaf size", b.leaf_size, 1, 32, "%d", "Nodes with at most this many triangles are not split further.");
@@ -66,7 +66,7 @@ void draw_tree_panel(const EngineState& state, Edit& edit) {
     }
     if (state.building.active) {
         widgets::progress(state.building.fraction, fmt::format("building {:.0f} %", 100 * state.building.fraction));
-        if (widgets::button("cancel", "Keeps the tree that is shown.")) edit.do_once(Command::cancel_build);
+        if (widgets::button("cancel", "Keeps the tree that is shown.")) edit.do_once(Action::cancel_build);
     }
     if (state.world) draw_statistics(state);
 }

@@ -17,8 +17,8 @@ void draw_map(Edit& edit) {
     int index = -1;
     for (int i = 0; i < int(all.size()); ++i)
         if (all[std::size_t(i)].name == view.map.map) index = i;
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].title); };
-    const auto summary = [&](int i) { return std::string(all[std::size_t(i)].summary); };
+    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
+    const auto summary = [&](int i) { return fmt::format("{}: {}", all[std::size_t(i)].title, all[std::size_t(i)].summary); };
     if (widgets::choice("map", index, int(all.size()), name, summary, "The number that colours stand for. Key M: the next."))
         edits::choose_map(edit, std::string(all[std::size_t(index)].name));
     int rays = int(view.map.rays);
@@ -55,7 +55,7 @@ void draw_range(const EngineState& state, Edit& edit) {
         heat.range_mode = RangeMode(mode);
     }
     if (heat.range_mode != RangeMode::fixed) return;
-    const float top = std::max({100.0f, heat.range_max * 2, state.picture && state.picture->summary ? state.picture->summary->max : 0});
+    const float top = std::max({100.0f, heat.range_max * 2, state.picture && state.picture->map ? state.picture->map->summary.max : 0});
     widgets::slider("from", heat.range_min, 0, top, "%.4g", "Values below are clipped; the legend counts them.");
     widgets::slider("to", heat.range_max, 0, top, "%.4g", "Values above are clipped; the legend counts them.");
     if (!(heat.range_max > heat.range_min)) heat.range_max = std::nextafter(heat.range_min, INFINITY);
@@ -82,7 +82,7 @@ void draw_splits(OverlayConfig& overlay) {
 
 void draw_view_panel(const EngineState& state, Edit& edit) {
     ViewConfig& view = edit.session.view;
-    widgets::toggle("map", view.show_map, "Colours over the image. Key H.");
+    widgets::toggle("show map", view.show_map, "Colours over the image. Key H.");
     if (view.show_map) {
         ImGui::PushID("map");
         draw_map(edit);

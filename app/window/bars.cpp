@@ -116,24 +116,24 @@ void draw_work(const EngineState& state, Edit& edit) {
                        fmt::format("{} {:.0f} %", building ? "building" : "refining", 100 * fraction).c_str());
     if (!building) return;
     ImGui::SameLine();
-    if (ImGui::SmallButton("cancel")) edit.do_once(Command::cancel_build);
+    if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
 }
 
 }  // namespace
 
-void begin_area(const char* name, const Rectangle& area, ImVec2 padding) {
+void begin_area(const char* name, const Rectangle& area, ImVec2 padding, ImGuiWindowFlags more) {
     ImGui::SetNextWindowPos({area.x, area.y});
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | more |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
 }
 
 void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
-    begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)});
+    begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)}, ImGuiWindowFlags_NoScrollbar);
     ImGui::PushFont(theme::font(theme::Type::heading));
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("kdscope");
@@ -147,7 +147,7 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
 }
 
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {
-    begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)});
+    begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)}, ImGuiWindowFlags_NoScrollbar);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
     ImGui::TextUnformatted(status_text(state).c_str());
     ImGui::PopStyleColor();

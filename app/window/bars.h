@@ -13,6 +13,6 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit);
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit);
 
 /// Begins a window that stands still at `area`; ImGui::End() ends it.
-void begin_area(const char* name, const Rectangle& area, ImVec2 padding);
+void begin_area(const char* name, const Rectangle& area, ImVec2 padding, ImGuiWindowFlags more = 0);
 
 }  // namespace kd

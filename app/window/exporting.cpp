@@ -83,16 +83,16 @@ Json summary_json(const EngineState& state) {
             {"counters", {{"primary", json_of(totals)}}}};
 }
 
-fs::path export_file(Command what, const EngineState& state, const std::string& folder, const Font& font) {
+fs::path export_file(Action what, const EngineState& state, const std::string& folder, const Font& font) {
     const TracedFrame& traced = state.picture->traced;
-    const bool table = what == Command::export_csv || what == Command::export_json;
-    const fs::path path = next_file(folder, what == Command::export_csv ? ".csv" : what == Command::export_json ? ".json" : ".png");
-    if (what == Command::export_csv) write_file(path, frame_csv(*traced.frame));
-    if (what == Command::export_json) write_file(path, json_text(summary_json(state)));
+    const bool table = what == Action::export_csv || what == Action::export_json;
+    const fs::path path = next_file(folder, what == Action::export_csv ? ".csv" : what == Action::export_json ? ".json" : ".png");
+    if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame));
+    if (what == Action::export_json) write_file(path, json_text(summary_json(state)));
     if (table) return path;
-    const bool bare = what == Command::export_picture || state.picture->legend.empty();
+    const bool bare = what == Action::export_picture;
     write_png(path, bare ? state.picture->image
-                         : compose_figure(state.picture->image, state.picture->legend, title_of(state), caption_of(state), font),
+                         : make_figure(*traced.frame, traced.world->tree, traced.camera, state.picture->view, title_of(state), caption_of(state), font),
               png_text(state));
     return path;
 }

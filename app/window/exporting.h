@@ -16,8 +16,8 @@ namespace kd {
 /// Settings, tree, machine, times and counter totals of the picture shown.
 [[nodiscard]] nlohmann::ordered_json summary_json(const EngineState& state);
 
-/// Everything but Command::export_window. Returns the path written. InputError.
-[[nodiscard]] std::filesystem::path export_file(Command what, const EngineState& state, const std::string& folder, const Font& font);
+/// Everything but Action::export_window. Returns the path written. InputError.
+[[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state, const std::string& folder, const Font& font);
 
 /// A picture of the whole window, rows from the top. InputError.
 [[nodiscard]] std::filesystem::path export_window(const Image<Rgba8>& window, const EngineState& state, const std::string& folder);

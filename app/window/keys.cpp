@@ -23,7 +23,7 @@ void toggle_heat(Edit& edit) {
 void leave(Edit& edit) {
     if (edit.window.help) edit.window.help = false;
     else if (edit.window.pinned) edit.window.pinned.reset();
-    else edit.do_once(Command::dismiss_messages);
+    else edit.do_once(Action::dismiss_messages);
 }
 
 using State = const EngineState&;
@@ -60,7 +60,7 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_R, false, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
 
     {GLFW_KEY_U, false, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
-    {GLFW_KEY_F12, false, "F12", window, "save a figure (PNG)", [](State, Edit& e) { e.do_once(Command::export_figure); }},
+    {GLFW_KEY_F12, false, "F12", window, "save a figure (PNG)", [](State, Edit& e) { e.do_once(Action::export_figure); }},
     {GLFW_KEY_F1, false, "F1", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
     {GLFW_KEY_SLASH, true, "?", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
     {GLFW_KEY_ESCAPE, false, "Esc", window, "close help, release pixel", [](State, Edit& e) { leave(e); }},

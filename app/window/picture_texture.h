@@ -1,4 +1,4 @@
-// The finished picture and its legend as textures for Dear ImGui.
+// The finished picture as a texture for Dear ImGui.
 #pragma once
 
 #include <imgui.h>

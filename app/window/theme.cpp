@@ -29,8 +29,8 @@ void set_colours(ImGuiStyle& style) {
     set(ImGuiCol_Header, raised);
     set(ImGuiCol_HeaderHovered, bright);
     set(ImGuiCol_HeaderActive, bright);
-    set(ImGuiCol_SliderGrab, IM_COL32(150, 150, 160, 255));
-    set(ImGuiCol_SliderGrabActive, text);
+    set(ImGuiCol_SliderGrab, IM_COL32(255, 255, 255, 56));  // the number shows through
+    set(ImGuiCol_SliderGrabActive, IM_COL32(255, 255, 255, 96));
     set(ImGuiCol_CheckMark, text);
     set(ImGuiCol_Separator, line);
     set(ImGuiCol_SeparatorHovered, bright);

@@ -23,15 +23,14 @@ Camera current(const EngineState& state, const Edit& edit) { return edit.session
 
 }  // namespace
 
-void Viewport::update_textures(const EngineState& state) {
+void Viewport::update_texture(const EngineState& state) {
     if (state.picture == uploaded_ || !state.picture) return;
     uploaded_ = state.picture;
     image_.upload(uploaded_->image, uploaded_->traced.scale > 1);
-    legend_.upload(uploaded_->legend, false);
 }
 
 void Viewport::draw(const Rectangle& area, const EngineState& state, double now, float seconds, Edit& edit) {
-    update_textures(state);
+    update_texture(state);
     ImGui::SetNextWindowPos({area.x, area.y});
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -58,7 +57,7 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     if (!image_.empty()) {
         list.AddImage(image_.id(), corner, end, {0, 0}, {1, 1}, dim ? IM_COL32(140, 140, 140, 255) : IM_COL32_WHITE);
         draw_marks(list, area, state, edit, {1 / density.x, 1 / density.y});
-        if (edit.window.legend) draw_legend(area, edit);
+        if (edit.window.legend && uploaded_) draw_legend(list, area, *uploaded_);
     }
     draw_messages(list, area, state, now);
     ImGui::End();
@@ -125,22 +124,6 @@ void Viewport::handle_flight(const EngineState& state, float seconds, Edit& edit
     const float size = glm::length(state.world->scene().bounds.extent());
     const float step = size * edit.window.fly_speed * std::min(seconds, 0.1f) / fly_seconds;
     edit.session.camera = fly(current(state, edit), forward * step, right * step, up * step);
-}
-
-void Viewport::draw_legend(const Rectangle& area, const Edit& edit) const {
-    if (legend_.empty() || !(edit.session.view.show_map || edit.session.view.overlay.show)) return;
-    const float margin = theme::px(12);
-    const float padding = theme::px(8);
-    const float density = ImGui::GetIO().DisplayFramebufferScale.x;
-    ImVec2 size{float(legend_.width()) / density, float(legend_.height()) / density};
-    const float fit = std::min({1.0f, (area.height - 2 * margin - 2 * padding) / size.y, 0.45f * area.width / size.x});
-    size = {size.x * fit, size.y * fit};
-    const ImVec2 high{area.x + area.width - margin, area.y + area.height - margin};
-    const ImVec2 low{high.x - size.x - 2 * padding, high.y - size.y - 2 * padding};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, high, theme::background, theme::px(4));
-    list.AddRect(low, high, theme::outline, theme::px(4));
-    list.AddImage(legend_.id(), {low.x + padding, low.y + padding}, {low.x + padding + size.x, low.y + padding + size.y});
 }
 
 }  // namespace kd

@@ -9,7 +9,7 @@ namespace kd {
 
 class Viewport {
   public:
-    explicit Viewport(const GlApi& gl) : image_(gl), legend_(gl) {}
+    explicit Viewport(const GlApi& gl) : image_(gl) {}
 
     /// Draws the newest picture into `area` and turns what the mouse does there into edits: the picture's size, the camera,
     /// the pixel under the mouse, the pinned one. `seconds` since the frame before, for flying.
@@ -19,14 +19,13 @@ class Viewport {
     [[nodiscard]] bool flying() const { return flying_; }
 
   private:
-    void update_textures(const EngineState& state);
+    void update_texture(const EngineState& state);
     void handle_mouse(const Rectangle& area, const EngineState& state, Edit& edit);
     void handle_drag(const Rectangle& area, const EngineState& state, Edit& edit);
     void handle_click(const EngineState& state, Edit& edit);
     void handle_flight(const EngineState& state, float seconds, Edit& edit);
-    void draw_legend(const Rectangle& area, const Edit& edit) const;
 
-    PictureTexture image_, legend_;
+    PictureTexture image_;
     std::shared_ptr<const Picture> uploaded_;
     bool flying_ = false;
     float dragged_ = 0;  // pixels since the button went down
@@ -36,6 +35,9 @@ class Viewport {
 
 /// Crosshair of the pinned pixel and the cells along its ray. `scale` is window pixels per picture pixel.
 void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale);
+
+/// What the colours of the picture mean, in its bottom right corner.
+void draw_legend(ImDrawList& list, const Rectangle& area, const Picture& picture);
 
 /// Remarks of the last seconds, in the picture's top left corner.
 void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now);

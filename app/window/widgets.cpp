@@ -1,6 +1,7 @@
 #include "app/window/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/window/theme.h"
 

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "app/panels/panel.h"
-#include "app/rendering.h"
+#include "app/fonts.h"
 #include "app/window/bars.h"
 #include "app/window/exporting.h"
 #include "app/window/help.h"
@@ -69,8 +69,6 @@ WindowLoop::WindowLoop(GlfwWindow& window, const Session& start)
     EngineOptions options;
     options.open_gl = window.tracing_context();
     options.wake = [] { glfwPostEmptyEvent(); };
-    options.font = font_;
-    options.legend_scale = std::max(1, int(window.content_scale() + 0.5f));
     Session session = start;
     int width = 0, height = 0;
     glfwGetWindowSize(window.handle(), &width, &height);
@@ -134,7 +132,7 @@ void WindowLoop::draw_frame() {
     const auto seconds = float(now - last_frame_);
     last_frame_ = now;
     edit_.session = engine_->state().session;
-    edit_.commands.clear();
+    edit_.actions.clear();
     apply_keys();
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -155,7 +153,7 @@ void WindowLoop::draw_frame() {
     gl_.ClearColor(0.07f, 0.07f, 0.08f, 1);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (std::exchange(window_export_, false)) write_files(Command::export_window);
+    if (std::exchange(window_export_, false)) write_files(Action::export_window);
     const std::shared_ptr<const Picture> shown = engine_->state().picture;
     glfwSwapBuffers(window_.handle());
     log_.presented(shown.get(), engine_->now());
@@ -168,10 +166,11 @@ void WindowLoop::draw_panels(const Layout& layout) {
     draw_status_line(layout.status, state, edit_);
     if (!edit_.window.panels) return;
     const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
-        begin_area(name, area, {theme::px(12), theme::px(8)});
+        begin_area(name, area, {theme::px(12), theme::px(8)}, place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
         for (const Panel& panel : panels()) {
             if (panel.place != place) continue;
-            const ImGuiTreeNodeFlags flags = panel.open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+            const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
+            const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
             const bool foldable = place != PanelPlace::bottom;
             if (foldable && !ImGui::CollapsingHeader(panel.title, flags)) continue;
             ImGui::PushID(panel.title);
@@ -200,24 +199,24 @@ void WindowLoop::apply_edit() {
     engine_->set_probes(edit_.hovered, edit_.window.pinned);
     engine_->allow_duel(edit_.window.timing);
     log_.applied(engine_->state().generation);
-    for (const Command command : edit_.commands) carry_out(command);
+    for (const Action action : edit_.actions) carry_out(action);
 }
 
-void WindowLoop::carry_out(Command command) {
-    switch (command) {
-        case Command::cancel_build: engine_->cancel_build(); break;
-        case Command::dismiss_messages: engine_->dismiss_messages(); break;
-        case Command::export_window: window_export_ = true; break;  // when the frame is drawn
-        default: write_files(command);
+void WindowLoop::carry_out(Action action) {
+    switch (action) {
+        case Action::cancel_build: engine_->cancel_build(); break;
+        case Action::dismiss_messages: engine_->dismiss_messages(); break;
+        case Action::export_window: window_export_ = true; break;  // when the frame is drawn
+        default: write_files(action);
     }
 }
 
-void WindowLoop::write_files(Command command) {
+void WindowLoop::write_files(Action action) {
     if (!engine_->state().picture) return;
     try {
         const std::string& folder = edit_.window.folder;
-        const auto path = command == Command::export_window ? export_window(read_window(), engine_->state(), folder)
-                                                            : export_file(command, engine_->state(), folder, font_);
+        const auto path = action == Action::export_window ? export_window(read_window(), engine_->state(), folder)
+                                                            : export_file(action, engine_->state(), folder, font_);
         edit_.last_export = path.string();
         engine_->say(false, "wrote " + path.string());
     } catch (const std::exception& error) {

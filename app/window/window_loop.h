@@ -40,8 +40,8 @@ class WindowLoop {
     void draw_panels(const Layout& layout);
     void apply_keys();
     void apply_edit();
-    void carry_out(Command command);
-    void write_files(Command command);
+    void carry_out(Action action);
+    void write_files(Action action);
     [[nodiscard]] Image<Rgba8> read_window() const;
     [[nodiscard]] bool resting() const;
 

@@ -103,7 +103,8 @@ public:
 #undef KD_STACK_SIZE
 
 private:
-    KD_FN void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit)
+    // One copy of the walk per kernel; every ray type calls it.
+    [[gnu::noinline]] void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit)
     {
 #define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
     if constexpr (chosen == Traversal::name) traverse_##name(s, any_hit, hit);

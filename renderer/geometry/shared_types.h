@@ -15,7 +15,11 @@
 #define IN(T) const T&
 #define PRECISE
 #define AXIS(vector, axis) (&(vector).x)[axis] // glm's own [] branches on the index
+#ifdef KD_SANITIZED
+#define KD_FN inline // instrumented, everything in one function takes minutes to compile
+#else
 #define KD_FN [[gnu::always_inline]] inline
+#endif
 #define KD_CONST(T) static constexpr T
 #define IS_NAN(x) ((x) != (x))
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)

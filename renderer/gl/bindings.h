@@ -21,15 +21,15 @@ enum class Unit : unsigned {
     earlier_counters_a,
     earlier_counters_b,
     earlier_hit,
-    rays = path_hit, // rays.frag has no path
+    rays = path_hit,  // rays.frag has no path
 };
 
-inline constexpr unsigned scene_block = 0; // uniform buffers
+inline constexpr unsigned scene_block = 0;  // uniform buffers
 inline constexpr unsigned frame_block = 1;
-inline constexpr unsigned shaded_counter = 0; // atomic counter buffer
+inline constexpr unsigned shaded_counter = 0;  // atomic counter buffer
 
 /// Draw buffers, and colour attachments with them.
 enum class Output : unsigned { counters_a, counters_b, hit, colour, direction = colour, weight };
 inline constexpr unsigned output_count = 5;
 
-} // namespace kd
+}  // namespace kd

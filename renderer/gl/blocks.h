@@ -15,4 +15,4 @@ using int4 = glm::ivec4;
 static_assert(sizeof(SceneBlock) == 96 && offsetof(SceneBlock, counts) == 64 && offsetof(SceneBlock, limits) == 80);
 static_assert(sizeof(FrameBlock) == 112 && offsetof(FrameBlock, image) == 64 && offsetof(FrameBlock, criteria) == 96);
 
-} // namespace kd::gl_blocks
+}  // namespace kd::gl_blocks

@@ -8,8 +8,7 @@
 namespace kd {
 
 BufferTexture::BufferTexture(const GlApi& gl, GLenum format, std::span<const std::byte> data, const char* what)
-    : buffer_(gl), texture_(gl), bytes_(std::int64_t(data.size()))
-{
+    : buffer_(gl), texture_(gl), bytes_(std::int64_t(data.size())) {
     // A buffer of no size cannot be a texture.
     static constexpr std::array<std::byte, 16> nothing{};
     const std::span<const std::byte> stored = data.empty() ? std::span<const std::byte>(nothing) : data;
@@ -23,10 +22,9 @@ BufferTexture::BufferTexture(const GlApi& gl, GLenum format, std::span<const std
     check_gl(gl, fmt::format("uploading {} bytes of {}", data.size(), what));
 }
 
-void BufferTexture::bind(const GlApi& gl, Unit unit) const
-{
+void BufferTexture::bind(const GlApi& gl, Unit unit) const {
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.id());
 }
 
-} // namespace kd
+}  // namespace kd

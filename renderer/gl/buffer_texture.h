@@ -10,25 +10,23 @@
 namespace kd {
 
 class BufferTexture {
-public:
-    BufferTexture() = default; // holds nothing
+  public:
+    BufferTexture() = default;  // holds nothing
     /// Uploads `data` as texels of `format` (GL_RGBA32F, GL_R32I, ...). GlError naming `what` where memory runs out.
     BufferTexture(const GlApi& gl, GLenum format, std::span<const std::byte> data, const char* what);
 
     template <class T>
     BufferTexture(const GlApi& gl, GLenum format, const std::vector<T>& data, const char* what)
-        : BufferTexture(gl, format, std::as_bytes(std::span(data)), what)
-    {
-    }
+        : BufferTexture(gl, format, std::as_bytes(std::span(data)), what) {}
 
     void bind(const GlApi& gl, Unit unit) const;
     [[nodiscard]] std::int64_t bytes() const { return bytes_; }
     explicit operator bool() const { return bool(texture_); }
 
-private:
+  private:
     GlBuffer buffer_;
     GlTexture texture_;
     std::int64_t bytes_ = 0;
 };
 
-} // namespace kd
+}  // namespace kd

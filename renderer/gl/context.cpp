@@ -11,7 +11,7 @@ namespace kd {
 namespace {
 
 class AdoptedContext final : public Context {
-public:
+  public:
     explicit AdoptedContext(GlApi::GetProc get_proc) : Context(ContextKind::adopted) { load(std::move(get_proc)); }
 
     /// Its owner makes it current.
@@ -20,8 +20,7 @@ public:
 
 constexpr std::array<std::string_view, 4> kind_names{"auto", "osmesa", "egl", "adopted"};
 
-bool is_software_renderer(std::string_view renderer)
-{
+bool is_software_renderer(std::string_view renderer) {
     std::string lower(renderer);
     for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
     for (const char* name : {"llvmpipe", "softpipe", "swrast", "swr", "software rasterizer", "swiftshader"})
@@ -31,8 +30,7 @@ bool is_software_renderer(std::string_view renderer)
 
 /// The first way that works; ContextError listing every reason where none does.
 template <class... Ways>
-std::unique_ptr<Context> first_of(std::string& reasons, const Ways&... ways)
-{
+std::unique_ptr<Context> first_of(std::string& reasons, const Ways&... ways) {
     std::unique_ptr<Context> context;
     const auto attempt = [&](const auto& way) {
         if (context) return;
@@ -46,52 +44,47 @@ std::unique_ptr<Context> first_of(std::string& reasons, const Ways&... ways)
     return context;
 }
 
-} // namespace
+}  // namespace
 
-ContextKind parse_context_kind(std::string_view name)
-{
+ContextKind parse_context_kind(std::string_view name) {
     for (const ContextKind kind : {ContextKind::automatic, ContextKind::osmesa, ContextKind::egl})
         if (name == name_of(kind)) return kind;
     throw ContextError(fmt::format("unknown context '{}'. Known: auto, osmesa, egl", name));
 }
 
-std::string_view name_of(ContextKind kind)
-{
-    return kind_names[static_cast<std::size_t>(kind)];
-}
+std::string_view name_of(ContextKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
-std::unique_ptr<Context> Context::create(ContextKind kind)
-{
+std::unique_ptr<Context> Context::create(ContextKind kind) {
     std::string reasons;
     std::unique_ptr<Context> context;
     const char* remedy = "use --tracer cpu";
     switch (kind) {
-    case ContextKind::automatic:
-        context = first_of(reasons, [] { return make_egl_context(EglDevices::hardware); }, make_osmesa_context,
-                           [] { return make_egl_context(EglDevices::software); });
-        remedy = "install a driver with OpenGL 4.3, libosmesa6 or libegl1 with libgl1-mesa-dri, or use --tracer cpu";
-        break;
-    case ContextKind::osmesa:
-        context = first_of(reasons, make_osmesa_context);
-        remedy = "install libosmesa6 (Mesa before 25.1), or use --context egl or --tracer cpu";
-        break;
-    case ContextKind::egl:
-        context = first_of(reasons, [] { return make_egl_context(EglDevices::hardware_first); });
-        remedy = "install libegl1 with a driver (libgl1-mesa-dri), or use --context osmesa or --tracer cpu";
-        break;
-    case ContextKind::adopted: reasons = "a window's context is adopted, not created"; break;
+        case ContextKind::automatic:
+            context = first_of(
+                reasons, [] { return make_egl_context(EglDevices::hardware); }, make_osmesa_context,
+                [] { return make_egl_context(EglDevices::software); });
+            remedy =
+                "install a driver with OpenGL 4.3, libosmesa6 or libegl1 with libgl1-mesa-dri, or use --tracer cpu";
+            break;
+        case ContextKind::osmesa:
+            context = first_of(reasons, make_osmesa_context);
+            remedy = "install libosmesa6 (Mesa before 25.1), or use --context egl or --tracer cpu";
+            break;
+        case ContextKind::egl:
+            context = first_of(reasons, [] { return make_egl_context(EglDevices::hardware_first); });
+            remedy = "install libegl1 with a driver (libgl1-mesa-dri), or use --context osmesa or --tracer cpu";
+            break;
+        case ContextKind::adopted: reasons = "a window's context is adopted, not created"; break;
     }
     if (!context) throw ContextError(fmt::format("no OpenGL context ({}): {}; {}", name_of(kind), reasons, remedy));
     return context;
 }
 
-std::unique_ptr<Context> Context::adopt(GlApi::GetProc load)
-{
+std::unique_ptr<Context> Context::adopt(GlApi::GetProc load) {
     return std::make_unique<AdoptedContext>(std::move(load));
 }
 
-void Context::load(GlApi::GetProc get_proc)
-{
+void Context::load(GlApi::GetProc get_proc) {
     const std::vector<std::string> missing = gl_.load(get_proc);
     if (gl_.GetString) {
         const auto text = [&](GLenum name) {
@@ -116,4 +109,4 @@ void Context::load(GlApi::GetProc get_proc)
                                        missing.size(), missing.front()));
 }
 
-} // namespace kd
+}  // namespace kd

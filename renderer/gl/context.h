@@ -24,7 +24,7 @@ enum class ContextKind { automatic, osmesa, egl, adopted };
 
 /// A GL >= 4.3 core context. libOSMesa and libEGL are loaded when needed and never linked.
 class Context {
-public:
+  public:
     /// auto = EGL on a hardware device, else OSMesa, else EGL on software. Current on return.
     [[nodiscard]] static std::unique_ptr<Context> create(ContextKind kind);
     /// The context that the caller has made current (a window's); `load` finds its functions.
@@ -38,20 +38,20 @@ public:
 
     [[nodiscard]] const GlApi& gl() const { return gl_; }
     [[nodiscard]] ContextKind kind() const { return kind_; }
-    [[nodiscard]] const std::string& renderer() const { return renderer_; } // GL_RENDERER
-    [[nodiscard]] const std::string& version() const { return version_; }   // GL_VERSION
+    [[nodiscard]] const std::string& renderer() const { return renderer_; }  // GL_RENDERER
+    [[nodiscard]] const std::string& version() const { return version_; }    // GL_VERSION
     /// llvmpipe, softpipe, swrast: timer queries mean nothing there.
     [[nodiscard]] bool is_software() const { return software_; }
 
-protected:
+  protected:
     explicit Context(ContextKind kind) : kind_(kind) {}
-    void load(GlApi::GetProc load); // fills gl_, renderer_, version_, software_; ContextError below GL 4.3
+    void load(GlApi::GetProc load);  // fills gl_, renderer_, version_, software_; ContextError below GL 4.3
 
-private:
+  private:
     ContextKind kind_;
     GlApi gl_;
     std::string renderer_, version_;
     bool software_ = false;
 };
 
-} // namespace kd
+}  // namespace kd

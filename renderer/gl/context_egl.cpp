@@ -13,8 +13,7 @@ namespace kd {
 
 namespace {
 
-bool has_word(const char* list, std::string_view word)
-{
+bool has_word(const char* list, std::string_view word) {
     std::string_view rest(list ? list : "");
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find(' '), rest.size());
@@ -39,8 +38,7 @@ struct Egl {
         library.function<PFNEGLGETCURRENTCONTEXTPROC>("eglGetCurrentContext");
 
     template <class Function>
-    [[nodiscard]] Function extension(const char* name) const
-    {
+    [[nodiscard]] Function extension(const char* name) const {
         return reinterpret_cast<Function>(GetProcAddress(name));
     }
 };
@@ -52,8 +50,7 @@ struct Candidate {
 };
 
 /// Displays of all devices, hardware first, then Mesa's own surfaceless one where there are no devices to choose from.
-std::vector<Candidate> find_displays(const Egl& egl)
-{
+std::vector<Candidate> find_displays(const Egl& egl) {
     std::vector<Candidate> found;
     const char* extensions = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const auto get_display = egl.extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -80,8 +77,7 @@ std::vector<Candidate> find_displays(const Egl& egl)
 }
 
 /// A core context of the best version that `display` gives, or EGL_NO_CONTEXT.
-EGLContext create_on(const Egl& egl, EGLDisplay display)
-{
+EGLContext create_on(const Egl& egl, EGLDisplay display) {
     if (!egl.Initialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
     if (!egl.BindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     if (!has_word(egl.QueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) return EGL_NO_CONTEXT;
@@ -107,12 +103,11 @@ EGLContext create_on(const Egl& egl, EGLDisplay display)
 
 /// Its display is never terminated: displays belong to the process, and another context may use the same one.
 class EglContext final : public Context {
-public:
+  public:
     EglContext(const Egl& egl, const Candidate& candidate)
-        : Context(ContextKind::egl), egl_(egl), display_(candidate.display), handle_(create_on(egl, candidate.display))
-    {
-        if (handle_ == EGL_NO_CONTEXT)
-            throw ContextError("an EGL device gives no surfaceless OpenGL 4.3 core context");
+        : Context(ContextKind::egl), egl_(egl), display_(candidate.display),
+          handle_(create_on(egl, candidate.display)) {
+        if (handle_ == EGL_NO_CONTEXT) throw ContextError("an EGL device gives no surfaceless OpenGL 4.3 core context");
         try {
             make_current();
             load([this](const char* name) { return reinterpret_cast<void*>(egl_.GetProcAddress(name)); });
@@ -124,35 +119,31 @@ public:
 
     ~EglContext() override { destroy(); }
 
-    void make_current() override
-    {
+    void make_current() override {
         // Let go first: EGL passes over a call that changes nothing, also where another library took the thread since.
         release();
         if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_))
             throw ContextError("eglMakeCurrent failed");
     }
 
-private:
+  private:
     Egl egl_;
     EGLDisplay display_;
     EGLContext handle_;
 
-    void release()
-    {
+    void release() {
         if (egl_.GetCurrentContext() == handle_)
             egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
-    void destroy()
-    {
+    void destroy() {
         release();
         egl_.DestroyContext(display_, handle_);
     }
 };
 
-} // namespace
+}  // namespace
 
-std::unique_ptr<Context> make_egl_context(EglDevices devices)
-{
+std::unique_ptr<Context> make_egl_context(EglDevices devices) {
     const Egl egl;
     std::string reasons;
     for (const Candidate& candidate : find_displays(egl)) {
@@ -173,4 +164,4 @@ std::unique_ptr<Context> make_egl_context(EglDevices devices)
                                    reasons));
 }
 
-} // namespace kd
+}  // namespace kd

@@ -22,4 +22,4 @@ struct GlVersion {
 };
 inline constexpr GlVersion gl_versions[] = {{4, 6}, {4, 5}, {4, 3}};
 
-} // namespace kd
+}  // namespace kd

@@ -27,17 +27,25 @@ using GetProcAddress = void (*(*)(const char*))();
 constexpr int window_size = 16;
 
 class OsmesaContext final : public Context {
-public:
-    OsmesaContext() : Context(ContextKind::osmesa), library_("libOSMesa.so.8")
-    {
+  public:
+    OsmesaContext() : Context(ContextKind::osmesa), library_("libOSMesa.so.8") {
         destroy_ = library_.function<DestroyContext>("OSMesaDestroyContext");
         make_current_ = library_.function<MakeCurrent>("OSMesaMakeCurrent");
         const auto create = library_.function<CreateContext>("OSMesaCreateContextAttribs");
         for (const GlVersion version : gl_versions) {
             // A forward-compatible context is refused by OSMesa, and not needed.
-            const int attributes[] = {osmesa_format,        GL_RGBA, osmesa_depth_bits,    0,
-                                      osmesa_stencil_bits,  0,       osmesa_profile,       osmesa_core_profile,
-                                      osmesa_major_version, version.major, osmesa_minor_version, version.minor,
+            const int attributes[] = {osmesa_format,
+                                      GL_RGBA,
+                                      osmesa_depth_bits,
+                                      0,
+                                      osmesa_stencil_bits,
+                                      0,
+                                      osmesa_profile,
+                                      osmesa_core_profile,
+                                      osmesa_major_version,
+                                      version.major,
+                                      osmesa_minor_version,
+                                      version.minor,
                                       0};
             handle_ = create(attributes, nullptr);
             if (handle_) break;
@@ -55,13 +63,12 @@ public:
 
     ~OsmesaContext() override { destroy_(handle_); }
 
-    void make_current() override
-    {
+    void make_current() override {
         if (!make_current_(handle_, window_.data(), GL_UNSIGNED_BYTE, window_size, window_size))
             throw ContextError("OSMesaMakeCurrent failed");
     }
 
-private:
+  private:
     SharedLibrary library_;
     DestroyContext destroy_ = nullptr;
     MakeCurrent make_current_ = nullptr;
@@ -69,11 +76,8 @@ private:
     std::array<unsigned char, std::size_t(4) * window_size * window_size> window_{};
 };
 
-} // namespace
+}  // namespace
 
-std::unique_ptr<Context> make_osmesa_context()
-{
-    return std::make_unique<OsmesaContext>();
-}
+std::unique_ptr<Context> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
 
-} // namespace kd
+}  // namespace kd

@@ -9,18 +9,14 @@ namespace kd {
 namespace {
 
 constexpr std::array<float, 4> no_colour{0, 0, 0, 0};
-constexpr GLuint no_hit_texel[4] = {~0u, 0, 0, 0}; // triangle -1
+constexpr GLuint no_hit_texel[4] = {~0u, 0, 0, 0};  // triangle -1
 constexpr GLuint no_counters[4] = {0, 0, 0, 0};
 
-constexpr GLint index_of(Output output)
-{
-    return static_cast<GLint>(output);
-}
+constexpr GLint index_of(Output output) { return static_cast<GLint>(output); }
 
-} // namespace
+}  // namespace
 
-GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height)
-{
+GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height) {
     GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
     gl.TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
@@ -33,8 +29,8 @@ GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height)
     return texture;
 }
 
-GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs, GLuint depth)
-{
+GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
+                               GLuint depth) {
     GlFramebuffer framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     std::array<GLenum, output_count> buffers{};
@@ -51,8 +47,7 @@ GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture
     return framebuffer;
 }
 
-FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key)
-{
+FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
     colour_ = texture(gl, GL_RGBA32F, 16);
     depth_ = texture(gl, GL_DEPTH_COMPONENT32F, 4);
     LayerTargets& prim = layers_[0];
@@ -71,8 +66,7 @@ FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key)
     check_gl(gl, "making the targets of the passes");
 }
 
-void FrameTargets::make_reflection_targets(const GlApi& gl)
-{
+void FrameTargets::make_reflection_targets(const GlApi& gl) {
     LayerTargets& refl = layers_[2];
     LayerTargets& shade = layers_[3];
     refl = make_layer(gl, key_.bounces > 1);
@@ -88,14 +82,12 @@ void FrameTargets::make_reflection_targets(const GlApi& gl)
     framebuffers_[3] = attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr});
 }
 
-GlTexture FrameTargets::texture(const GlApi& gl, GLenum format, int bytes_per_texel)
-{
+GlTexture FrameTargets::texture(const GlApi& gl, GLenum format, int bytes_per_texel) {
     bytes_ += std::int64_t(key_.width) * key_.height * bytes_per_texel;
     return make_texture(gl, format, key_.width, key_.height);
 }
 
-LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit)
-{
+LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit) {
     LayerTargets layer;
     if (with_hit) layer.hit = texture(gl, GL_RGBA32UI, 16);
     if (key_.counters) {
@@ -105,18 +97,15 @@ LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit)
     return layer;
 }
 
-GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs) const
-{
+GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs) const {
     return make_framebuffer(gl, outputs, depth_.id());
 }
 
-GLuint FrameTargets::first_reflection_hit() const
-{
+GLuint FrameTargets::first_reflection_hit() const {
     return key_.bounces > 1 ? layers_[2].hit.id() : paths_[0].hit.id();
 }
 
-void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const float* colour) const
-{
+void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const float* colour) const {
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     if (key_.counters) {
         gl.ClearBufferuiv(GL_COLOR, index_of(Output::counters_a), no_counters);
@@ -126,8 +115,7 @@ void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const 
     if (colour) gl.ClearBufferfv(GL_COLOR, index_of(Output::colour), colour);
 }
 
-void FrameTargets::clear(const GlApi& gl, const std::array<float, 4>& background) const
-{
+void FrameTargets::clear(const GlApi& gl, const std::array<float, 4>& background) const {
     clear_framebuffer(gl, framebuffer(Pass::shade_prim), background.data());
     if (key_.bounces == 0) return;
     for (int bounce = 0; bounce < key_.bounces; ++bounce) {
@@ -137,4 +125,4 @@ void FrameTargets::clear(const GlApi& gl, const std::array<float, 4>& background
     clear_framebuffer(gl, framebuffer(Pass::shade_refl), background.data());
 }
 
-} // namespace kd
+}  // namespace kd

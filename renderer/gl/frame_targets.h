@@ -14,7 +14,7 @@ namespace kd {
 struct TargetKey {
     int width = 0, height = 0;
     bool counters = true;
-    int bounces = 0; // 0, 1, or 2 for more
+    int bounces = 0;  // 0, 1, or 2 for more
 
     bool operator==(const TargetKey&) const = default;
 };
@@ -31,7 +31,7 @@ struct PathTargets {
 
 /// All are made "untraced": colour with alpha 0, hits -1, counters and weights 0, depth 1.
 class FrameTargets {
-public:
+  public:
     FrameTargets() = default;
     FrameTargets(const GlApi& gl, const TargetKey& key);
 
@@ -54,7 +54,7 @@ public:
     /// depth stay: it draws every pixel.
     void clear(const GlApi& gl, const std::array<float, 4>& background) const;
 
-private:
+  private:
     TargetKey key_;
     std::int64_t bytes_ = 0;
     GlTexture colour_, depth_;
@@ -78,4 +78,4 @@ private:
 [[nodiscard]] GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
                                              GLuint depth);
 
-} // namespace kd
+}  // namespace kd

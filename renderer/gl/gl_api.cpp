@@ -6,16 +6,14 @@ namespace {
 
 /// True where found.
 template <class Function>
-bool find(const GlApi::GetProc& get_proc, const char* name, Function& function)
-{
+bool find(const GlApi::GetProc& get_proc, const char* name, Function& function) {
     function = reinterpret_cast<Function>(get_proc(name));
     return function != nullptr;
 }
 
-} // namespace
+}  // namespace
 
-std::vector<std::string> GlApi::load(const GetProc& get_proc)
-{
+std::vector<std::string> GlApi::load(const GetProc& get_proc) {
     std::vector<std::string> missing;
 #define KD_GL_LOAD(name, NAME)                                                                                         \
     if (!find(get_proc, "gl" #name, name)) missing.emplace_back("gl" #name);
@@ -24,4 +22,4 @@ std::vector<std::string> GlApi::load(const GetProc& get_proc)
     return missing;
 }
 
-} // namespace kd
+}  // namespace kd

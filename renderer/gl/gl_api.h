@@ -94,4 +94,4 @@ struct GlApi {
     [[nodiscard]] std::vector<std::string> load(const GetProc& get_proc);
 };
 
-} // namespace kd
+}  // namespace kd

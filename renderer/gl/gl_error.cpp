@@ -6,27 +6,26 @@ namespace kd {
 
 namespace {
 
-std::string_view name_of_error(GLenum code)
-{
+std::string_view name_of_error(GLenum code) {
     switch (code) {
-    case GL_INVALID_ENUM: return "invalid enum";
-    case GL_INVALID_VALUE: return "invalid value";
-    case GL_INVALID_OPERATION: return "invalid operation";
-    case GL_INVALID_FRAMEBUFFER_OPERATION: return "incomplete framebuffer";
-    case GL_OUT_OF_MEMORY: return "out of memory";
-    default: return "unknown error";
+        case GL_INVALID_ENUM: return "invalid enum";
+        case GL_INVALID_VALUE: return "invalid value";
+        case GL_INVALID_OPERATION: return "invalid operation";
+        case GL_INVALID_FRAMEBUFFER_OPERATION: return "incomplete framebuffer";
+        case GL_OUT_OF_MEMORY: return "out of memory";
+        default: return "unknown error";
     }
 }
 
-} // namespace
+}  // namespace
 
-void check_gl(const GlApi& gl, std::string_view step)
-{
+void check_gl(const GlApi& gl, std::string_view step) {
     const GLenum code = gl.GetError();
     if (code == GL_NO_ERROR) return;
     // Older errors in the queue would be blamed on the next step. A lost context may report errors without end.
-    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {}
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+    }
     throw GlError(fmt::format("OpenGL: {} while {} (0x{:04x})", name_of_error(code), step, code));
 }
 
-} // namespace kd
+}  // namespace kd

@@ -16,4 +16,4 @@ struct GlError : std::runtime_error {
 /// GlError naming `step` where glGetError reports anything since the last call.
 void check_gl(const GlApi& gl, std::string_view step);
 
-} // namespace kd
+}  // namespace kd

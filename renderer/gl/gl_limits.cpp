@@ -11,25 +11,22 @@ namespace kd {
 
 namespace {
 
-void check_texels(std::string_view what, std::int64_t texels, std::int64_t limit, std::string_view remedy)
-{
+void check_texels(std::string_view what, std::int64_t texels, std::int64_t limit, std::string_view remedy) {
     if (texels > limit)
-        throw InputError(fmt::format("scene on OpenGL: {} take {} texels, a texture buffer holds {} here; {}", what, texels,
-                                     limit, remedy));
+        throw InputError(fmt::format("scene on OpenGL: {} take {} texels, a texture buffer holds {} here; {}", what,
+                                     texels, limit, remedy));
 }
 
-void check_float_index(std::string_view what, std::int64_t largest)
-{
+void check_float_index(std::string_view what, std::int64_t largest) {
     if (largest > float_index_limit)
         throw InputError(fmt::format("scene on OpenGL: {} {} do not fit the tree's float4 texels, which number things "
                                      "exactly up to {}; use larger leaves or --tracer cpu",
                                      largest, what, float_index_limit));
 }
 
-} // namespace
+}  // namespace
 
-UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree)
-{
+UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree) {
     UploadSizes sizes;
     sizes.nodes = std::int64_t(tree.nodes.size());
     sizes.references = std::int64_t(tree.references.size());
@@ -41,8 +38,7 @@ UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree)
     return sizes;
 }
 
-void check_upload(const UploadSizes& sizes, const GlLimits& limits)
-{
+void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
     check_float_index("nodes", sizes.nodes);
     check_float_index("leaf list entries", sizes.references);
     check_texels("the tree's nodes", sizes.nodes, limits.buffer_texels, "use larger leaves or --tracer cpu");
@@ -52,8 +48,7 @@ void check_upload(const UploadSizes& sizes, const GlLimits& limits)
     check_texels("materials and lights", sizes.table_texels, limits.buffer_texels, "use fewer or --tracer cpu");
 }
 
-void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits)
-{
+void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits) {
     if (config.leaf_lists == LeafLists::duplicated)
         check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
     if (info(config.traversal).needs_boxes)
@@ -62,17 +57,17 @@ void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlL
         // One invocation traces the shadow rays to all lights.
         const std::int64_t rays = config.shadows ? std::max<std::int64_t>(1, sizes.lights) : 1;
         if (sizes.triangles * rays > gl_step_budget)
-            throw InputError(fmt::format("traversal naive on OpenGL: {} triangles times {} rays per shader call exceed {} "
-                                         "loop steps; use another traversal, --tracer cpu or a smaller scene",
-                                         sizes.triangles, rays, gl_step_budget));
+            throw InputError(
+                fmt::format("traversal naive on OpenGL: {} triangles times {} rays per shader call exceed {} "
+                            "loop steps; use another traversal, --tracer cpu or a smaller scene",
+                            sizes.triangles, rays, gl_step_budget));
     }
 }
 
-void check_image(int width, int height, const GlLimits& limits)
-{
+void check_image(int width, int height, const GlLimits& limits) {
     if (width > limits.texture_size || height > limits.texture_size)
         throw InputError(fmt::format("image of {}x{} pixels: a texture holds {}x{} here; ask for a smaller one", width,
                                      height, limits.texture_size, limits.texture_size));
 }
 
-} // namespace kd
+}  // namespace kd

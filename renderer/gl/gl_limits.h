@@ -14,8 +14,8 @@ namespace kd {
 inline constexpr int gl_step_budget = 60000;
 
 struct GlLimits {
-    std::int64_t buffer_texels = 65536; // GL_MAX_TEXTURE_BUFFER_SIZE; the default is what OpenGL 4.3 guarantees
-    std::int64_t texture_size = 16384;  // GL_MAX_TEXTURE_SIZE
+    std::int64_t buffer_texels = 65536;  // GL_MAX_TEXTURE_BUFFER_SIZE; the default is what OpenGL 4.3 guarantees
+    std::int64_t texture_size = 16384;   // GL_MAX_TEXTURE_SIZE
 };
 
 /// What uploading asks for.
@@ -36,4 +36,4 @@ void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlL
 /// InputError for an image larger than a texture can be.
 void check_image(int width, int height, const GlLimits& limits);
 
-} // namespace kd
+}  // namespace kd

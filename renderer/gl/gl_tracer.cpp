@@ -9,8 +9,7 @@ namespace kd {
 
 namespace {
 
-GlLimits limits_of(const GlApi& gl)
-{
+GlLimits limits_of(const GlApi& gl) {
     GLint texels = 0;
     GLint size = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
@@ -18,30 +17,24 @@ GlLimits limits_of(const GlApi& gl)
     return {texels, size};
 }
 
-} // namespace
+}  // namespace
 
 GlTracer::Impl::Impl(Context& context)
     : gl(context.gl()), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
-      no_vertices(gl), frame_block(gl), shaded_counter(gl)
-{
+      no_vertices(gl), frame_block(gl), shaded_counter(gl) {
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, shaded_counter.id());
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
 }
 
-SceneUpload& GlTracer::Impl::scene()
-{
+SceneUpload& GlTracer::Impl::scene() {
     if (!uploaded) throw GlError("OpenGL: no scene has been uploaded");
     return *uploaded;
 }
 
-SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config)
-{
-    return scene_needs(scene().scene(), config);
-}
+SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_needs(scene().scene(), config); }
 
-ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config)
-{
+ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     ProgramSettings settings;
     settings.trace = config;
     settings.needs = needs_of(config);
@@ -50,30 +43,26 @@ ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config)
     return settings;
 }
 
-GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings)
-{
+GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings) {
     return programs.get(program_key(step, settings)).id();
 }
 
-void GlTracer::Impl::draw_quad() const
-{
+void GlTracer::Impl::draw_quad() const {
     gl.BindVertexArray(no_vertices.id());
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height)
-{
+void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height) {
     check_image(width, height, limits);
     const SceneNeeds needs = needs_of(config);
     scene().prepare(config, needs);
     const TargetKey key{width, height, config.counters, std::min(needs.reflections ? needs.bounces : 0, 2)};
     if (targets.key() == key) return;
-    targets = FrameTargets(); // lets go of the old ones first
+    targets = FrameTargets();  // lets go of the old ones first
     targets = FrameTargets(gl, key);
 }
 
-void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture)
-{
+void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture) {
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
 }
@@ -82,15 +71,13 @@ GlTracer::GlTracer(Context& context) : impl_(std::make_unique<Impl>(context)) {}
 
 GlTracer::~GlTracer() = default;
 
-void GlTracer::upload(const FlatScene& scene, const KdTree& tree)
-{
+void GlTracer::upload(const FlatScene& scene, const KdTree& tree) {
     // The old upload goes when the new one is whole.
     SceneUpload next(impl_->gl, impl_->limits, scene, tree);
     impl_->uploaded.emplace(std::move(next));
 }
 
-void GlTracer::prepare(const GlTraceConfig& config, int width, int height)
-{
+void GlTracer::prepare(const GlTraceConfig& config, int width, int height) {
     if (width <= 0 || height <= 0) return;
     const StateGuard guard(impl_->gl);
     impl_->make_ready(config.trace, width, height);
@@ -100,8 +87,8 @@ void GlTracer::prepare(const GlTraceConfig& config, int width, int height)
     impl_->gl.Finish();
 }
 
-GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& camera, int width, int height, Tile tile)
-{
+GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
+                             Tile tile) {
     GlFrameReport report;
     if (width <= 0 || height <= 0) return report;
     const StateGuard guard(impl_->gl);
@@ -112,17 +99,13 @@ GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& c
     return report;
 }
 
-unsigned GlTracer::colour_texture() const
-{
-    return impl_->targets.colour();
-}
+unsigned GlTracer::colour_texture() const { return impl_->targets.colour(); }
 
-GlMemory GlTracer::memory() const
-{
+GlMemory GlTracer::memory() const {
     GlMemory memory;
     if (impl_->uploaded) impl_->uploaded->add_to(memory);
     memory.targets = impl_->targets.bytes();
     return memory;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -19,14 +19,14 @@ namespace kd {
 
 /// How pixels that a pass need not shade are culled (paper, section 3.2.1).
 enum class EarlyZ {
-    working,      // RTPrim writes 0 reflective hit, 0.25 other hit, 1 miss; later quads lie between, depth test GREATER
-    as_published, // RTPrim writes 0 hit, 1 miss; quad at 0 with LEQUAL: culls nothing
+    working,  // RTPrim writes 0 reflective hit, 0.25 other hit, 1 miss; later quads lie between, depth test GREATER
+    as_published,  // RTPrim writes 0 hit, 1 miss; quad at 0 with LEQUAL: culls nothing
 };
 
 struct GlTraceConfig {
     TraceConfig trace;
     EarlyZ early_z = EarlyZ::working;
-    bool count_shaded = false; // counts the pixels each pass shades, exactly (an atomic with early fragment tests)
+    bool count_shaded = false;  // counts the pixels each pass shades, exactly (an atomic with early fragment tests)
 
     bool operator==(const GlTraceConfig&) const = default;
 };
@@ -36,7 +36,7 @@ struct GlFrameReport {
     std::array<double, pass_count> pass_ms{};
     std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
     double total_ms = 0;
-    std::string clock; // "timer query" on hardware, "finish + steady clock" on software
+    std::string clock;  // "timer query" on hardware, "finish + steady clock" on software
 };
 
 /// Memory that an upload takes, in bytes.
@@ -46,7 +46,7 @@ struct GlMemory {
 
 /// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
 class GlTracer {
-public:
+  public:
     explicit GlTracer(Context& context);
     ~GlTracer();
 
@@ -72,10 +72,10 @@ public:
 
     [[nodiscard]] GlMemory memory() const;
 
-    struct Impl; // renderer/gl/gl_tracer_impl.h
+    struct Impl;  // renderer/gl/gl_tracer_impl.h
 
-private:
+  private:
     std::unique_ptr<Impl> impl_;
 };
 
-} // namespace kd
+}  // namespace kd

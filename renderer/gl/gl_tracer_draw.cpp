@@ -6,17 +6,15 @@ namespace {
 
 /// One tile's way through the passes (paper, figure 8).
 class TileDraw {
-public:
+  public:
     TileDraw(GlTracer::Impl& tracer, const GlTraceConfig& config, Tile tile, GlFrameReport& report)
         : t_(tracer), gl_(tracer.gl), config_(config), settings_(tracer.settings_of(config.trace)), tile_(tile),
-          report_(report)
-    {
+          report_(report) {
         settings_.early_z = config.early_z;
         settings_.count_shaded = config.count_shaded;
     }
 
-    void run()
-    {
+    void run() {
         const FrameTargets& targets = t_.targets;
         t_.timer.begin_frame();
         enter_tile();
@@ -31,7 +29,7 @@ public:
         t_.timer.end_frame(report_);
     }
 
-private:
+  private:
     GlTracer::Impl& t_;
     const GlApi& gl_;
     const GlTraceConfig& config_;
@@ -39,8 +37,7 @@ private:
     Tile tile_;
     GlFrameReport& report_;
 
-    void enter_tile()
-    {
+    void enter_tile() {
         const TargetKey& key = t_.targets.key();
         gl_.Viewport(0, 0, key.width, key.height);
         gl_.Enable(GL_SCISSOR_TEST);
@@ -52,8 +49,7 @@ private:
         t_.frame_block.bind(gl_, frame_block);
     }
 
-    void reflect(int bounce)
-    {
+    void reflect(int bounce) {
         settings_.later_bounce = bounce > 0;
         if (bounce > 0) {
             bind_path(bounce - 1);
@@ -70,8 +66,7 @@ private:
         pass(Pass::shade_refl, t_.targets.framebuffer(Pass::shade_refl));
     }
 
-    void bind_path(int bounce)
-    {
+    void bind_path(int bounce) {
         const PathTargets& path = t_.targets.path(bounce);
         bind_texture(gl_, Unit::path_hit, path.hit);
         bind_texture(gl_, Unit::path_direction, path.direction);
@@ -79,8 +74,7 @@ private:
     }
 
     /// Raises the depth of paths that end.
-    void mark()
-    {
+    void mark() {
         gl_.BindFramebuffer(GL_FRAMEBUFFER, t_.targets.framebuffer(Pass::rt_prim));
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         draw(Step::mark);
@@ -88,8 +82,7 @@ private:
     }
 
     /// Copies a layer for a pass that goes on from it: a pass cannot read what it draws into.
-    void keep_earlier(Pass pass)
-    {
+    void keep_earlier(Pass pass) {
         const LayerTargets& layer = t_.targets.layer(pass);
         const LayerTargets& earlier = t_.targets.earlier();
         if (pass == Pass::shade_refl) {
@@ -103,15 +96,13 @@ private:
         bind_texture(gl_, Unit::earlier_counters_b, earlier.counters_b);
     }
 
-    void copy(const GlTexture& from, const GlTexture& to)
-    {
+    void copy(const GlTexture& from, const GlTexture& to) {
         if (tile_ == Tile{}) return;
         gl_.CopyImageSubData(from.id(), GL_TEXTURE_2D, 0, tile_.x0, tile_.y0, 0, to.id(), GL_TEXTURE_2D, 0, tile_.x0,
                              tile_.y0, 0, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0, 1);
     }
 
-    void draw(Step step)
-    {
+    void draw(Step step) {
         const DepthRule rule = depth_rule(step, config_.early_z);
         gl_.DepthFunc(rule.function);
         gl_.DepthMask(rule.write ? GL_TRUE : GL_FALSE);
@@ -120,15 +111,14 @@ private:
         gl_.DepthMask(GL_TRUE);
     }
 
-    void pass(Pass pass, GLuint framebuffer)
-    {
+    void pass(Pass pass, GLuint framebuffer) {
         const auto colour = static_cast<GLuint>(Output::colour);
         const bool adds = pass == Pass::shade_refl;
         gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         if (adds) {
             gl_.Enablei(GL_BLEND, colour);
             gl_.BlendEquation(GL_FUNC_ADD);
-            gl_.BlendFunci(colour, GL_ONE, GL_ONE); // the shader's alpha is 0
+            gl_.BlendFunci(colour, GL_ONE, GL_ONE);  // the shader's alpha is 0
         }
         if (config_.count_shaded) reset_shaded();
         // Compiled here where it was not prepared, outside of the pass's time.
@@ -142,15 +132,13 @@ private:
 
     static Step step_of(Pass pass) { return static_cast<Step>(pass); }
 
-    void reset_shaded()
-    {
+    void reset_shaded() {
         const GLuint zero = 0;
         gl_.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, shaded_counter, t_.shaded_counter.id());
         gl_.BufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof zero, &zero);
     }
 
-    void add_shaded(Pass pass)
-    {
+    void add_shaded(Pass pass) {
         GLuint count = 0;
         gl_.GetBufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof count, &count);
         std::int64_t& sum = report_.shaded_pixels[static_cast<std::size_t>(pass)];
@@ -160,8 +148,7 @@ private:
 
 static_assert(static_cast<int>(Step::shade_refl) == static_cast<int>(Pass::shade_refl));
 
-gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCamera& camera, const TargetKey& size)
-{
+gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCamera& camera, const TargetKey& size) {
     return {
         .eye = Vec4(camera.eye, 0.0f),
         .right = Vec4(camera.right, 0.0f),
@@ -173,14 +160,13 @@ gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCam
     };
 }
 
-} // namespace
+}  // namespace
 
 void GlTracer::Impl::draw_tile(const GlTraceConfig& config, const PinholeCamera& camera, Tile tile,
-                               GlFrameReport& report)
-{
+                               GlFrameReport& report) {
     frame_block.set(gl, encode_block(config, camera, targets.key()));
     TileDraw(*this, config, tile, report).run();
     check_gl(gl, "drawing the passes");
 }
 
-} // namespace kd
+}  // namespace kd

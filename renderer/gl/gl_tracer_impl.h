@@ -17,7 +17,7 @@ struct GlTracer::Impl {
     GlLimits limits;
     ProgramCache programs;
     PassTimer timer;
-    GlVertexArray no_vertices; // a core context draws with one bound, even an empty one
+    GlVertexArray no_vertices;  // a core context draws with one bound, even an empty one
     UniformBuffer<gl_blocks::FrameBlock> frame_block;
     GlBuffer shaded_counter;
     std::optional<SceneUpload> uploaded;
@@ -40,4 +40,4 @@ struct GlTracer::Impl {
 /// Binds `texture` for texelFetch.
 void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture);
 
-} // namespace kd
+}  // namespace kd

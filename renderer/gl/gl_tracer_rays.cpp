@@ -13,8 +13,7 @@ constexpr int longest_row = 4096;
 constexpr std::size_t largest_batch = std::size_t(longest_row) * 256;
 constexpr std::size_t texels_per_ray = 3;
 
-std::vector<glm::uvec4> encode_rays(std::span<const Ray> rays)
-{
+std::vector<glm::uvec4> encode_rays(std::span<const Ray> rays) {
     const auto bits = [](float x) { return std::bit_cast<unsigned>(x); };
     std::vector<glm::uvec4> texels;
     texels.reserve(texels_per_ray * rays.size());
@@ -28,12 +27,11 @@ std::vector<glm::uvec4> encode_rays(std::span<const Ray> rays)
 
 /// Rows of rays drawn as an image.
 class RayBatch {
-public:
+  public:
     RayBatch(GlTracer::Impl& tracer, bool counters, std::size_t largest)
         : t_(tracer), gl_(tracer.gl), width_(int(std::min<std::size_t>(largest, longest_row))),
           height_(int((largest + std::size_t(width_) - 1) / std::size_t(width_))), counters_(counters),
-          hit_(make_texture(gl_, GL_RGBA32UI, width_, height_))
-    {
+          hit_(make_texture(gl_, GL_RGBA32UI, width_, height_)) {
         if (counters) {
             a_ = make_texture(gl_, GL_RGBA32UI, width_, height_);
             b_ = make_texture(gl_, GL_RGBA32UI, width_, height_);
@@ -42,8 +40,7 @@ public:
     }
 
     void trace(const ProgramSettings& settings, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
-               std::span<RayCounters> counters)
-    {
+               std::span<RayCounters> counters) {
         const BufferTexture table(gl_, GL_RGBA32UI, encode_rays(rays), "rays");
         gl_blocks::FrameBlock block{};
         block.rays = {any_hit ? 1 : 0, int(rays.size()), width_, 0};
@@ -62,7 +59,7 @@ public:
         check_gl(gl_, "tracing rays");
     }
 
-private:
+  private:
     GlTracer::Impl& t_;
     const GlApi& gl_;
     int width_, height_;
@@ -71,11 +68,10 @@ private:
     GlFramebuffer framebuffer_;
 };
 
-} // namespace
+}  // namespace
 
 void GlTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
-                          std::span<RayCounters> counters)
-{
+                          std::span<RayCounters> counters) {
     if (rays.empty()) return;
     const StateGuard guard(impl_->gl);
     TraceConfig own = config;
@@ -92,4 +88,4 @@ void GlTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, 
     }
 }
 
-} // namespace kd
+}  // namespace kd

@@ -6,8 +6,7 @@
 
 namespace kd {
 
-Frame GlTracer::read_frame(const TraceConfig& config)
-{
+Frame GlTracer::read_frame(const TraceConfig& config) {
     const Impl& t = *impl_;
     const TargetKey& key = t.targets.key();
     Frame frame(key.width, key.height);
@@ -31,4 +30,4 @@ Frame GlTracer::read_frame(const TraceConfig& config)
     return frame;
 }
 
-} // namespace kd
+}  // namespace kd

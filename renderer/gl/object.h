@@ -10,13 +10,12 @@ namespace kd {
 /// An object named by glGenXs and glDeleteXs.
 template <auto generate, auto remove>
 class GlObject {
-public:
-    GlObject() = default; // names nothing
+  public:
+    GlObject() = default;  // names nothing
     explicit GlObject(const GlApi& gl) : gl_(&gl) { (gl.*generate)(1, &id_); }
     ~GlObject() { reset(); }
     GlObject(GlObject&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
-    GlObject& operator=(GlObject&& other) noexcept
-    {
+    GlObject& operator=(GlObject&& other) noexcept {
         std::swap(gl_, other.gl_);
         std::swap(id_, other.id_);
         return *this;
@@ -25,13 +24,12 @@ public:
     [[nodiscard]] GLuint id() const { return id_; }
     explicit operator bool() const { return id_ != 0; }
 
-    void reset()
-    {
+    void reset() {
         if (id_) (gl_->*remove)(1, &id_);
         id_ = 0;
     }
 
-private:
+  private:
     const GlApi* gl_ = nullptr;
     GLuint id_ = 0;
 };
@@ -42,4 +40,4 @@ using GlFramebuffer = GlObject<&GlApi::GenFramebuffers, &GlApi::DeleteFramebuffe
 using GlVertexArray = GlObject<&GlApi::GenVertexArrays, &GlApi::DeleteVertexArrays>;
 using GlQuery = GlObject<&GlApi::GenQueries, &GlApi::DeleteQueries>;
 
-} // namespace kd
+}  // namespace kd

@@ -8,15 +8,11 @@ namespace {
 
 constexpr std::array<const char*, 6> entry_points{"rt_prim", "shade_prim", "rt_refl", "shade_refl", "mark", "rays"};
 
-const char* flag(bool on)
-{
-    return on ? "1" : "0";
-}
+const char* flag(bool on) { return on ? "1" : "0"; }
 
-} // namespace
+}  // namespace
 
-DepthRule depth_rule(Step step, EarlyZ early_z)
-{
+DepthRule depth_rule(Step step, EarlyZ early_z) {
     // The marking quad lies at the depth of a hit whose path has ended, and replaces only the 0 of a path that goes on.
     if (step == Step::mark) return {GL_GREATER, true, "0.25"};
     if (step == Step::rt_prim || step == Step::rays) return {GL_ALWAYS, true, "0.0"};
@@ -24,8 +20,7 @@ DepthRule depth_rule(Step step, EarlyZ early_z)
     return {GL_GREATER, false, step == Step::shade_prim ? "0.5" : "0.125"};
 }
 
-ProgramKey program_key(Step step, const ProgramSettings& s)
-{
+ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
     const bool traces = step != Step::mark;
@@ -50,4 +45,4 @@ ProgramKey program_key(Step step, const ProgramSettings& s)
     return key;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -16,8 +16,8 @@ struct ProgramSettings {
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
-    bool later_bounce = false; // rt_refl and shade_refl after the first bounce
-    bool limited_loops = false; // the driver ends loops by itself (software renderers)
+    bool later_bounce = false;   // rt_refl and shade_refl after the first bounce
+    bool limited_loops = false;  // the driver ends loops by itself (software renderers)
     int stack_size = max_tree_depth;
 };
 
@@ -27,8 +27,8 @@ struct ProgramSettings {
 struct DepthRule {
     GLenum function;
     bool write;
-    const char* quad; // depth of the quad, as shader text
+    const char* quad;  // depth of the quad, as shader text
 };
 [[nodiscard]] DepthRule depth_rule(Step step, EarlyZ early_z);
 
-} // namespace kd
+}  // namespace kd

@@ -6,21 +6,18 @@ namespace {
 
 constexpr std::size_t frame_queries = 2;
 
-double ms_since(std::chrono::steady_clock::time_point begin)
-{
+double ms_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-} // namespace
+}  // namespace
 
-GLuint PassTimer::query(std::size_t index)
-{
+GLuint PassTimer::query(std::size_t index) {
     while (queries_.size() <= index) queries_.emplace_back(gl_);
     return queries_[index].id();
 }
 
-void PassTimer::begin_frame()
-{
+void PassTimer::begin_frame() {
     spans_.clear();
     if (software_) {
         gl_.Finish();
@@ -30,8 +27,7 @@ void PassTimer::begin_frame()
     }
 }
 
-void PassTimer::begin(Pass pass)
-{
+void PassTimer::begin(Pass pass) {
     spans_.push_back({pass, frame_queries + spans_.size()});
     if (software_) {
         gl_.Finish();
@@ -41,8 +37,7 @@ void PassTimer::begin(Pass pass)
     }
 }
 
-void PassTimer::end()
-{
+void PassTimer::end() {
     if (software_) {
         gl_.Finish();
         spans_.back().ms = ms_since(span_begin_);
@@ -51,8 +46,7 @@ void PassTimer::end()
     }
 }
 
-double PassTimer::elapsed_ms(std::size_t first, std::size_t second)
-{
+double PassTimer::elapsed_ms(std::size_t first, std::size_t second) {
     GLuint64 begin = 0;
     GLuint64 finish = 0;
     gl_.GetQueryObjectui64v(query(first), GL_QUERY_RESULT, &begin);
@@ -60,8 +54,7 @@ double PassTimer::elapsed_ms(std::size_t first, std::size_t second)
     return double(finish - begin) * 1e-6;
 }
 
-void PassTimer::end_frame(GlFrameReport& report)
-{
+void PassTimer::end_frame(GlFrameReport& report) {
     if (software_) {
         gl_.Finish();
         report.total_ms = ms_since(frame_begin_);
@@ -81,4 +74,4 @@ void PassTimer::end_frame(GlFrameReport& report)
     }
 }
 
-} // namespace kd
+}  // namespace kd

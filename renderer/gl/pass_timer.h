@@ -11,7 +11,7 @@
 namespace kd {
 
 class PassTimer {
-public:
+  public:
     PassTimer(const GlApi& gl, bool software) : gl_(gl), software_(software) {}
 
     void begin_frame();
@@ -20,7 +20,7 @@ public:
     /// Waits for the frame and fills times and clock; a pass that ran several times gets the sum.
     void end_frame(GlFrameReport& report);
 
-private:
+  private:
     using Clock = std::chrono::steady_clock;
     /// One timed stretch; with `query` on hardware, `ms` on software.
     struct Span {
@@ -30,7 +30,7 @@ private:
     };
     const GlApi& gl_;
     bool software_;
-    std::vector<GlQuery> queries_; // kept over frames: two for the frame, then one per span
+    std::vector<GlQuery> queries_;  // kept over frames: two for the frame, then one per span
     std::vector<Span> spans_;
     Clock::time_point frame_begin_, span_begin_;
 
@@ -38,4 +38,4 @@ private:
     [[nodiscard]] double elapsed_ms(std::size_t first, std::size_t second);
 };
 
-} // namespace kd
+}  // namespace kd

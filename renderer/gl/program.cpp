@@ -9,14 +9,13 @@ namespace {
 
 /// A compiled shader, deleted at the end of the scope.
 class GlShader {
-public:
+  public:
     GlShader(const GlApi& gl, GLenum stage) : gl_(gl), id_(gl.CreateShader(stage)) {}
     ~GlShader() { gl_.DeleteShader(id_); }
     GlShader(const GlShader&) = delete;
     GlShader& operator=(const GlShader&) = delete;
 
-    void compile(const std::string& entry, const ShaderSource& source)
-    {
+    void compile(const std::string& entry, const ShaderSource& source) {
         const char* text = source.text.c_str();
         gl_.ShaderSource(id_, 1, &text, nullptr);
         gl_.CompileShader(id_);
@@ -27,12 +26,11 @@ public:
 
     [[nodiscard]] GLuint id() const { return id_; }
 
-private:
+  private:
     const GlApi& gl_;
     GLuint id_;
 
-    std::string log() const
-    {
+    std::string log() const {
         GLint length = 0;
         gl_.GetShaderiv(id_, GL_INFO_LOG_LENGTH, &length);
         std::string text(static_cast<std::size_t>(length) + 1, '\0');
@@ -42,8 +40,7 @@ private:
     }
 };
 
-ShaderSource resolve(const std::string& entry, const ShaderDefines& defines, const ShaderReader& read)
-{
+ShaderSource resolve(const std::string& entry, const ShaderDefines& defines, const ShaderReader& read) {
     try {
         return resolve_shader(entry, defines, read);
     } catch (const ShaderError& error) {
@@ -51,8 +48,7 @@ ShaderSource resolve(const std::string& entry, const ShaderDefines& defines, con
     }
 }
 
-std::string link_log(const GlApi& gl, GLuint program)
-{
+std::string link_log(const GlApi& gl, GLuint program) {
     GLint length = 0;
     gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
     std::string text(static_cast<std::size_t>(length) + 1, '\0');
@@ -61,10 +57,9 @@ std::string link_log(const GlApi& gl, GLuint program)
     return text;
 }
 
-} // namespace
+}  // namespace
 
-GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader& read) : gl_(gl), id_(0)
-{
+GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader& read) : gl_(gl), id_(0) {
     GlShader vertex(gl, GL_VERTEX_SHADER);
     vertex.compile(key.vertex, resolve(key.vertex, key.defines, read));
     GlShader fragment(gl, GL_FRAGMENT_SHADER);
@@ -83,17 +78,13 @@ GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader&
     throw GlError(fmt::format("shaders {} and {} do not link:\n{}", key.vertex, key.fragment, log));
 }
 
-GlProgram::~GlProgram()
-{
-    gl_.DeleteProgram(id_);
-}
+GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }
 
-const GlProgram& ProgramCache::get(const ProgramKey& key)
-{
+const GlProgram& ProgramCache::get(const ProgramKey& key) {
     if (const auto found = programs_.find(key); found != programs_.end()) return found->second;
     return programs_
         .emplace(std::piecewise_construct, std::forward_as_tuple(key), std::forward_as_tuple(gl_, key, read_))
         .first->second;
 }
 
-} // namespace kd
+}  // namespace kd

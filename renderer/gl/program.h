@@ -11,8 +11,8 @@ namespace kd {
 
 /// What a program is made from.
 struct ProgramKey {
-    std::string vertex;   // file under shaders/
-    std::string fragment; // file under shaders/
+    std::string vertex;    // file under shaders/
+    std::string fragment;  // file under shaders/
     ShaderDefines defines;
 
     auto operator<=>(const ProgramKey&) const = default;
@@ -20,7 +20,7 @@ struct ProgramKey {
 
 /// A linked program. GlError with the driver's log, positions as file and line, where a shader does not compile.
 class GlProgram {
-public:
+  public:
     GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader& read);
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
@@ -28,26 +28,24 @@ public:
 
     [[nodiscard]] GLuint id() const { return id_; }
 
-private:
+  private:
     const GlApi& gl_;
     GLuint id_;
 };
 
 class ProgramCache {
-public:
+  public:
     explicit ProgramCache(const GlApi& gl, ShaderReader read = default_shader_reader())
-        : gl_(gl), read_(std::move(read))
-    {
-    }
+        : gl_(gl), read_(std::move(read)) {}
 
     /// The program, compiled and linked when first asked for.
     [[nodiscard]] const GlProgram& get(const ProgramKey& key);
     [[nodiscard]] std::size_t size() const { return programs_.size(); }
 
-private:
+  private:
     const GlApi& gl_;
     ShaderReader read_;
     std::map<ProgramKey, GlProgram> programs_;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -12,21 +12,14 @@ namespace {
 
 using Words = glm::uvec4;
 
-constexpr int loop_check_rounds = 4; // see check_loops() in shaders/fragment/observer_hooks.glsl
+constexpr int loop_check_rounds = 4;  // see check_loops() in shaders/fragment/observer_hooks.glsl
 
-unsigned bits(float x)
-{
-    return std::bit_cast<unsigned>(x);
-}
+unsigned bits(float x) { return std::bit_cast<unsigned>(x); }
 
-Words words(Vec3 v, unsigned w)
-{
-    return {bits(v.x), bits(v.y), bits(v.z), w};
-}
+Words words(Vec3 v, unsigned w) { return {bits(v.x), bits(v.y), bits(v.z), w}; }
 
 /// Materials, lights and the places of images, as fetch_material and its like in shaders/fragment read them.
-std::vector<Words> encode_tables(const FlatScene& scene)
-{
+std::vector<Words> encode_tables(const FlatScene& scene) {
     std::vector<Words> table;
     for (const Material& m : scene.materials) {
         table.push_back(words(m.diffuse, bits(m.shininess)));
@@ -48,8 +41,7 @@ std::vector<Words> encode_tables(const FlatScene& scene)
 }
 
 /// One 128-bit texel per corner, as in the paper.
-std::vector<Vec4> encode_corners(const std::vector<Triangle>& triangles)
-{
+std::vector<Vec4> encode_corners(const std::vector<Triangle>& triangles) {
     std::vector<Vec4> texels;
     texels.reserve(3 * triangles.size());
     for (const Triangle& t : triangles)
@@ -57,8 +49,7 @@ std::vector<Vec4> encode_corners(const std::vector<Triangle>& triangles)
     return texels;
 }
 
-std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes)
-{
+std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes) {
     std::vector<Vec4> texels;
     texels.reserve(2 * boxes.size());
     for (const Aabb& box : boxes) {
@@ -68,46 +59,40 @@ std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes)
     return texels;
 }
 
-std::vector<Vec4> encode_normals(const FlatScene& scene)
-{
+std::vector<Vec4> encode_normals(const FlatScene& scene) {
     std::vector<Vec4> texels;
     for (const TriangleAttributes& t : scene.attributes)
         for (const Vec3& normal : t.normal) texels.emplace_back(normal, 0.0f);
     return texels;
 }
 
-std::vector<Vec2> encode_texture_coordinates(const FlatScene& scene)
-{
+std::vector<Vec2> encode_texture_coordinates(const FlatScene& scene) {
     std::vector<Vec2> texels;
     for (const TriangleAttributes& t : scene.attributes) texels.insert(texels.end(), std::begin(t.uv), std::end(t.uv));
     return texels;
 }
 
-std::vector<std::int32_t> encode_material_index(const FlatScene& scene)
-{
+std::vector<std::int32_t> encode_material_index(const FlatScene& scene) {
     std::vector<std::int32_t> texels;
     for (const TriangleAttributes& t : scene.attributes) texels.push_back(t.material);
     return texels;
 }
 
-std::vector<Rgba8> encode_texels(const FlatScene& scene)
-{
+std::vector<Rgba8> encode_texels(const FlatScene& scene) {
     std::vector<Rgba8> texels;
     for (const Image<Rgba8>& image : scene.textures)
         texels.insert(texels.end(), image.pixels.begin(), image.pixels.end());
     return texels;
 }
 
-int stack_size_for(const KdTree& tree)
-{
+int stack_size_for(const KdTree& tree) {
     const int deepest = std::ranges::max(node_depths(tree));
     for (const int size : {8, 16, 24, 32, 48})
         if (deepest <= size) return size;
     return max_tree_depth;
 }
 
-gl_blocks::SceneBlock encode_block(const FlatScene& scene, const KdTree& tree)
-{
+gl_blocks::SceneBlock encode_block(const FlatScene& scene, const KdTree& tree) {
     const int lights_at = 3 * int(scene.materials.size());
     const int textures_at = lights_at + 4 * int(scene.lights.size());
     return {
@@ -120,7 +105,7 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene, const KdTree& tree)
     };
 }
 
-} // namespace
+}  // namespace
 
 SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree)
     : gl_(gl), limits_(limits), scene_(scene), tree_(tree), sizes_(upload_sizes(scene, tree)),
@@ -128,29 +113,25 @@ SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScen
       nodes_(gl, GL_RGBA32F, encode_float4(tree), "nodes"), references_(gl, GL_R32I, tree.references, "leaf lists"),
       corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
       material_index_(gl, GL_R32I, encode_material_index(scene), "material numbers"),
-      tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights")
-{
+      tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {
     block_.set(gl, encode_block(scene, tree));
 }
 
-void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs)
-{
+void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
     check_config(sizes_, config, limits_);
     if (info(config.traversal).needs_boxes && !boxes_)
         boxes_ = BufferTexture(gl_, GL_RGBA32F, encode_boxes(node_boxes(tree_)), "node boxes");
     if (config.leaf_lists == LeafLists::duplicated && !leaf_corners_)
-        leaf_corners_ = BufferTexture(gl_, GL_RGBA32F,
-                                      encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)), "leaf triangles");
+        leaf_corners_ = BufferTexture(
+            gl_, GL_RGBA32F, encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)), "leaf triangles");
     if (needs.normals && !normals_) normals_ = BufferTexture(gl_, GL_RGBA32F, encode_normals(scene_), "normals");
     if (needs.textures && !texels_) {
-        texture_coordinates_ =
-            BufferTexture(gl_, GL_RG32F, encode_texture_coordinates(scene_), "texture coordinates");
+        texture_coordinates_ = BufferTexture(gl_, GL_RG32F, encode_texture_coordinates(scene_), "texture coordinates");
         texels_ = BufferTexture(gl_, GL_RGBA8UI, encode_texels(scene_), "images");
     }
 }
 
-void SceneUpload::bind() const
-{
+void SceneUpload::bind() const {
     block_.bind(gl_, scene_block);
     nodes_.bind(gl_, Unit::nodes);
     boxes_.bind(gl_, Unit::boxes);
@@ -164,8 +145,7 @@ void SceneUpload::bind() const
     texels_.bind(gl_, Unit::texels);
 }
 
-void SceneUpload::add_to(GlMemory& memory) const
-{
+void SceneUpload::add_to(GlMemory& memory) const {
     memory.nodes += nodes_.bytes();
     memory.boxes += boxes_.bytes();
     memory.references += references_.bytes();
@@ -174,4 +154,4 @@ void SceneUpload::add_to(GlMemory& memory) const
     memory.textures += texels_.bytes();
 }
 
-} // namespace kd
+}  // namespace kd

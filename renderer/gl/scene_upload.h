@@ -11,7 +11,7 @@
 namespace kd {
 
 class SceneUpload {
-public:
+  public:
     /// Uploads what every configuration reads. InputError where a limit is passed, before anything is uploaded. Scene and
     /// tree must outlive this.
     SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree);
@@ -27,7 +27,7 @@ public:
     /// programs serve all trees.
     [[nodiscard]] int stack_size() const { return stack_size_; }
 
-private:
+  private:
     const GlApi& gl_;
     GlLimits limits_;
     const FlatScene& scene_;
@@ -36,7 +36,7 @@ private:
     int stack_size_;
     UniformBuffer<gl_blocks::SceneBlock> block_;
     BufferTexture nodes_, references_, corners_, material_index_, tables_;
-    BufferTexture boxes_, leaf_corners_, normals_, texture_coordinates_, texels_; // where asked for
+    BufferTexture boxes_, leaf_corners_, normals_, texture_coordinates_, texels_;  // where asked for
 };
 
-} // namespace kd
+}  // namespace kd

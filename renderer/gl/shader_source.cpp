@@ -17,8 +17,7 @@ namespace {
 constexpr const char* version_line = "#version 430 core";
 
 /// The name in `#include "name"`, nothing for other lines.
-std::optional<std::string> included_name(const std::string& line)
-{
+std::optional<std::string> included_name(const std::string& line) {
     static const std::regex pattern(R"re(^\s*#\s*include\s+"([^"]+)"\s*(//.*)?$)re");
     std::smatch match;
     if (!std::regex_match(line, match, pattern)) return std::nullopt;
@@ -26,19 +25,17 @@ std::optional<std::string> included_name(const std::string& line)
 }
 
 class Resolver {
-public:
+  public:
     Resolver(const ShaderReader& read, ShaderSource& result) : read_(read), result_(result) {}
 
-    void add_line(const std::string& line, ShaderSource::Origin origin)
-    {
+    void add_line(const std::string& line, ShaderSource::Origin origin) {
         result_.text += line;
         result_.text += '\n';
         result_.lines.push_back(origin);
     }
 
     /// Appends the file at `path`; `from` says who asked for it.
-    void add_file(const std::string& path, const std::string& text)
-    {
+    void add_file(const std::string& path, const std::string& text) {
         open_.push_back(path);
         const std::size_t file = result_.files.size();
         result_.files.push_back("shaders/" + path);
@@ -58,13 +55,12 @@ public:
         open_.pop_back();
     }
 
-private:
+  private:
     const ShaderReader& read_;
     ShaderSource& result_;
-    std::vector<std::string> open_; // files being read, outermost first
+    std::vector<std::string> open_;  // files being read, outermost first
 
-    void include(const std::string& name, ShaderSource::Origin from)
-    {
+    void include(const std::string& name, ShaderSource::Origin from) {
         const std::string place = fmt::format("{}:{}", result_.files[from.file], from.line);
         const std::string beside = (std::filesystem::path(open_.back()).parent_path() / name).lexically_normal();
         for (const std::string& path : {beside, name}) {
@@ -76,39 +72,34 @@ private:
     }
 };
 
-std::optional<std::string> embedded_file(const std::string& path)
-{
+std::optional<std::string> embedded_file(const std::string& path) {
     const auto files = shader_files();
     const auto found = std::ranges::find(files, path, &ShaderFile::path);
     if (found == files.end()) return std::nullopt;
     return std::string(found->text);
 }
 
-std::optional<std::string> file_on_disk(const std::filesystem::path& path)
-{
+std::optional<std::string> file_on_disk(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in || std::filesystem::is_directory(path)) return std::nullopt;
     return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-} // namespace
+}  // namespace
 
-ShaderReader default_shader_reader()
-{
+ShaderReader default_shader_reader() {
     const char* folder = std::getenv("KD_SHADER_DIR");
     if (!folder || !*folder) return embedded_file;
     return [root = std::filesystem::path(folder)](const std::string& path) { return file_on_disk(root / path); };
 }
 
-std::string ShaderSource::locate(int line) const
-{
+std::string ShaderSource::locate(int line) const {
     if (line < 1 || std::size_t(line) > lines.size()) return fmt::format("{}:{}", files.front(), line);
     const Origin& origin = lines[std::size_t(line) - 1];
     return fmt::format("{}:{}", files[origin.file], origin.line);
 }
 
-std::string ShaderSource::map_log(std::string_view log) const
-{
+std::string ShaderSource::map_log(std::string_view log) const {
     // String 0, then the line: "0:12(7)", "0(12)" or "0:12".
     static const std::regex position(R"((^|[^\w.])0(?::(\d+)\(\d+\)|\((\d+)\)|:(\d+)(?!\d)))");
     const std::string all(log);
@@ -126,14 +117,14 @@ std::string ShaderSource::map_log(std::string_view log) const
     return mapped;
 }
 
-ShaderSource resolve_shader(const std::string& entry, const ShaderDefines& defines, const ShaderReader& read)
-{
+ShaderSource resolve_shader(const std::string& entry, const ShaderDefines& defines, const ShaderReader& read) {
     ShaderSource result;
     result.files.push_back("settings of " + entry);
     Resolver resolver(read, result);
     int number = 0;
     resolver.add_line(version_line, {0, ++number});
-    for (const auto& [name, value] : defines) resolver.add_line(fmt::format("#define {} {}", name, value), {0, ++number});
+    for (const auto& [name, value] : defines)
+        resolver.add_line(fmt::format("#define {} {}", name, value), {0, ++number});
 
     const auto text = read(entry);
     if (!text) throw ShaderError(fmt::format("there is no shader file \"{}\" in shaders/", entry));
@@ -141,4 +132,4 @@ ShaderSource resolve_shader(const std::string& entry, const ShaderDefines& defin
     return result;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -28,12 +28,12 @@ using ShaderReader = std::function<std::optional<std::string>(const std::string&
 /// One shader as the driver gets it.
 struct ShaderSource {
     struct Origin {
-        std::size_t file; // index into `files`
-        int line;         // from 1
+        std::size_t file;  // index into `files`
+        int line;          // from 1
     };
     std::string text;
-    std::vector<std::string> files; // files[0] stands for the lines put in front
-    std::vector<Origin> lines;      // lines[i] is where line i + 1 of `text` comes from
+    std::vector<std::string> files;  // files[0] stands for the lines put in front
+    std::vector<Origin> lines;       // lines[i] is where line i + 1 of `text` comes from
 
     /// "shaders/shared/box.glsl:12" for a line of `text`, counted from 1.
     [[nodiscard]] std::string locate(int line) const;
@@ -47,4 +47,4 @@ struct ShaderSource {
 [[nodiscard]] ShaderSource resolve_shader(const std::string& entry, const ShaderDefines& defines,
                                           const ShaderReader& read = default_shader_reader());
 
-} // namespace kd
+}  // namespace kd

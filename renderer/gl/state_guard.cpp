@@ -2,8 +2,7 @@
 
 namespace kd {
 
-StateGuard::StateGuard(const GlApi& gl) : gl_(gl)
-{
+StateGuard::StateGuard(const GlApi& gl) : gl_(gl) {
     for (std::size_t i = 0; i < switches.size(); ++i) {
         on_[i] = gl.IsEnabled(switches[i]);
         gl.Disable(switches[i]);
@@ -22,8 +21,7 @@ StateGuard::StateGuard(const GlApi& gl) : gl_(gl)
     gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
 }
 
-StateGuard::~StateGuard()
-{
+StateGuard::~StateGuard() {
     for (std::size_t i = 0; i < switches.size(); ++i) on_[i] ? gl_.Enable(switches[i]) : gl_.Disable(switches[i]);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_framebuffer_));
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_framebuffer_));
@@ -36,4 +34,4 @@ StateGuard::~StateGuard()
     gl_.Scissor(scissor_[0], scissor_[1], scissor_[2], scissor_[3]);
 }
 
-} // namespace kd
+}  // namespace kd

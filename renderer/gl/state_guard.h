@@ -10,13 +10,13 @@ namespace kd {
 /// Saves what drawing and reading change and a window's own drawing may rely on; puts it back at the end of the scope.
 /// In between: no blending, culling, stencil, scissor or depth test, all masks open, no pixel buffers.
 class StateGuard {
-public:
+  public:
     explicit StateGuard(const GlApi& gl);
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;
 
-private:
+  private:
     static constexpr std::array<GLenum, 5> switches{GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_SCISSOR_TEST,
                                                     GL_DEPTH_TEST};
     const GlApi& gl_;
@@ -25,4 +25,4 @@ private:
     std::array<GLint, 4> viewport_{}, scissor_{};
 };
 
-} // namespace kd
+}  // namespace kd

@@ -12,7 +12,7 @@ namespace kd {
 
 /// For 2D textures of `texels` texels. Spans may be shorter than the texture: the rest is not read out.
 class TargetReader {
-public:
+  public:
     TargetReader(const GlApi& gl, std::size_t texels) : gl_(gl), texels_(texels) {}
 
     void read_colour(GLuint texture, std::span<Vec4> to) const;
@@ -20,11 +20,11 @@ public:
     void read_hits(GLuint texture, std::span<Hit> to) const;
     void read_counters(GLuint a, GLuint b, std::span<RayCounters> to) const;
 
-private:
+  private:
     const GlApi& gl_;
     std::size_t texels_;
 
     [[nodiscard]] std::vector<glm::uvec4> words(GLuint texture) const;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -77,7 +77,7 @@ int write_and_rename(const fs::path& target, std::string_view bytes) {
     return error;
 }
 
-} // namespace
+}  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
     std::error_code ignored;
@@ -138,4 +138,4 @@ std::string read_file(const fs::path& path, std::size_t limit) {
     }
 }
 
-} // namespace kd
+}  // namespace kd

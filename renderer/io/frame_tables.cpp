@@ -108,7 +108,7 @@ std::string encode_exr(std::vector<Channel>& channels, int width, int height, co
     return std::string(reinterpret_cast<const char*>(memory), size);
 }
 
-} // namespace
+}  // namespace
 
 std::string frame_csv(const Frame& frame) {
     const std::vector<Pass> passes = passes_run(frame);
@@ -138,4 +138,4 @@ void write_frame_exr(const std::filesystem::path& path, const Frame& frame) {
     write_file(path, encode_exr(channels, frame.width, frame.height, path.string()));
 }
 
-} // namespace kd
+}  // namespace kd

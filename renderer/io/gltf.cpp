@@ -68,11 +68,12 @@ Scene convert(GltfContext& context, const tinygltf::Model& model) {
     return scene;
 }
 
-} // namespace
+}  // namespace
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path) { return decode_gltf(read_file(path), path); }
+
+Scene decode_gltf(std::string_view bytes, const std::filesystem::path& path) {
     GltfContext context(path.string());
-    const std::string bytes = read_file(path);
     Scene scene;
     try {
         scene = convert(context, parse_gltf(context, bytes, path.parent_path()));
@@ -89,4 +90,4 @@ Scene load_gltf(const std::filesystem::path& path) {
     return scene;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "renderer/scene/scene.h"
 
@@ -13,4 +14,8 @@ namespace kd {
 /// InputError: "file: JSON pointer: reason". What is skipped or replaced is told in Scene::notes.
 [[nodiscard]] Scene load_gltf(const std::filesystem::path& path);
 
-} // namespace kd
+/// As load_gltf, from the bytes of such a file. `path` names it in errors, and its folder is where other files are
+/// opened.
+[[nodiscard]] Scene decode_gltf(std::string_view bytes, const std::filesystem::path& path);
+
+}  // namespace kd

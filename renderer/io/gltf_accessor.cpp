@@ -52,8 +52,8 @@ struct Range {
     std::uint64_t offset, count, element, stride, alignment;
 };
 
-/// `count` elements, `stride` apart from `offset` on, lie within the view. All in 64 bits, by subtraction and division, so
-/// that no value in a file can make it wrap.
+/// `count` elements, `stride` apart from `offset` on, lie within the view. All in 64 bits, by subtraction and division,
+/// so that no value in a file can make it wrap.
 void check_range(const GltfContext& context, const tinygltf::Model& model, const Range& range,
                  const std::string& pointer) {
     const tinygltf::BufferView& view = model.bufferViews[range.view];
@@ -81,7 +81,8 @@ void check_sparse(const GltfContext& context, const tinygltf::Model& model, cons
     const std::string pointer = pointer_to(accessor_pointer, "sparse");
     const auto count = static_cast<std::uint64_t>(sparse.count);
     if (count == 0 || count > accessor.count) {
-        context.fail(pointer_to(pointer, "count"), "must be from 1 to the accessor's " + std::to_string(accessor.count));
+        context.fail(pointer_to(pointer, "count"),
+                     "must be from 1 to the accessor's " + std::to_string(accessor.count));
     }
     const int type = sparse.indices.componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
@@ -105,8 +106,8 @@ void check_accessor(const GltfContext& context, const tinygltf::Model& model, st
     const tinygltf::Accessor& accessor = model.accessors[index];
     const std::string pointer = pointer_to("/accessors", index);
     if (component_size(accessor.componentType) == 0) {
-        context.fail(pointer_to(pointer, "componentType"), std::to_string(accessor.componentType) +
-                                                               " is none of 5120, 5121, 5122, 5123, 5125, 5126");
+        context.fail(pointer_to(pointer, "componentType"),
+                     std::to_string(accessor.componentType) + " is none of 5120, 5121, 5122, 5123, 5125, 5126");
     }
     if (accessor.count == 0) context.fail(pointer_to(pointer, "count"), "must be 1 or more");
     if (accessor.bufferView >= 0) {
@@ -129,7 +130,7 @@ const unsigned char* bytes_of(const tinygltf::Model& model, int view, std::uint6
 template <class Stored>
 Stored load(const unsigned char* bytes) {
     Stored value;
-    std::memcpy(&value, bytes, sizeof(value)); // alignment is that of the file
+    std::memcpy(&value, bytes, sizeof(value));  // alignment is that of the file
     return value;
 }
 
@@ -141,7 +142,8 @@ float as_float(Stored value, bool normalized) {
     return std::max(plain / static_cast<float>(std::numeric_limits<Stored>::max()), -1.0f);
 }
 
-/// Reads all elements with `convert` from the stored type to Out. Matrices are not asked for, so components are adjacent.
+/// Reads all elements with `convert` from the stored type to Out. Matrices are not asked for, so components are
+/// adjacent.
 template <class Out, class Stored, class Convert>
 std::vector<Out> gather(const GltfContext& context, const tinygltf::Model& model, int index, Convert convert) {
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
@@ -182,7 +184,7 @@ std::vector<Out> gather(const GltfContext& context, const tinygltf::Model& model
     return out;
 }
 
-} // namespace
+}  // namespace
 
 std::size_t component_count(const tinygltf::Accessor& accessor) {
     switch (accessor.type) {
@@ -230,4 +232,4 @@ std::vector<std::uint32_t> read_indices(const GltfContext& context, const tinygl
     return indices;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -25,4 +25,4 @@ void check_accessors(const GltfContext& context, const tinygltf::Model& model);
 [[nodiscard]] std::vector<std::uint32_t> read_indices(const GltfContext& context, const tinygltf::Model& model,
                                                       int accessor);
 
-} // namespace kd
+}  // namespace kd

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::uint64_t header_size = 12;
 constexpr std::uint64_t chunk_header_size = 8;
-constexpr std::uint32_t json_type = 0x4e4f534a;   // "JSON"
-constexpr std::uint32_t binary_type = 0x004e4942; // "BIN"
+constexpr std::uint32_t json_type = 0x4e4f534a;    // "JSON"
+constexpr std::uint32_t binary_type = 0x004e4942;  // "BIN"
 
 /// Little-endian, as GLB is on every machine.
 std::uint32_t word_at(std::string_view bytes, std::uint64_t offset) {
@@ -35,7 +35,7 @@ std::string_view chunk_at(const GltfContext& context, std::string_view container
     return container.substr(offset + chunk_header_size, length);
 }
 
-} // namespace
+}  // namespace
 
 GltfText open_gltf(GltfContext& context, std::string_view bytes) {
     if (bytes.empty()) context.fail("", "the file is empty");
@@ -59,4 +59,4 @@ GltfText open_gltf(GltfContext& context, std::string_view bytes) {
     return text;
 }
 
-} // namespace kd
+}  // namespace kd

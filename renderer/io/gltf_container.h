@@ -11,8 +11,8 @@ namespace kd {
 /// The JSON text of a file, and what comes with it. Views into the file's bytes.
 struct GltfText {
     std::string_view json;
-    std::string_view container;  // the GLB without trailing bytes; empty for a .gltf
-    std::size_t binary_size = 0; // bytes of the binary chunk
+    std::string_view container;   // the GLB without trailing bytes; empty for a .gltf
+    std::size_t binary_size = 0;  // bytes of the binary chunk
 
     [[nodiscard]] bool is_binary() const { return !container.empty(); }
 };
@@ -21,4 +21,4 @@ struct GltfText {
 /// InputError. Trailing bytes are cut off with a note.
 [[nodiscard]] GltfText open_gltf(GltfContext& context, std::string_view bytes);
 
-} // namespace kd
+}  // namespace kd

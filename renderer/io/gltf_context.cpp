@@ -22,7 +22,7 @@ void GltfContext::note(std::string_view text) {
 
 void GltfContext::count(std::string_view verb, std::string_view noun, std::string_view what, std::uint64_t number) {
     if (number == 0) return;
-    const std::string before = std::string(verb) + "\n" + std::string(noun); // the line feed holds the number's place
+    const std::string before = std::string(verb) + "\n" + std::string(noun);  // the line feed holds the number's place
     const std::string after = printable(what, 400);
     for (Entry& entry : entries_) {
         if (entry.number > 0 && entry.before == before && entry.after == after) {
@@ -53,11 +53,14 @@ std::string pointer_to(std::string_view parent, std::size_t index) {
 std::string pointer_to(std::string_view parent, std::string_view key) {
     std::string escaped;
     for (const char c : printable(key, 60)) {
-        if (c == '~') escaped += "~0";
-        else if (c == '/') escaped += "~1";
-        else escaped += c;
+        if (c == '~')
+            escaped += "~0";
+        else if (c == '/')
+            escaped += "~1";
+        else
+            escaped += c;
     }
     return std::string(parent) + "/" + escaped;
 }
 
-} // namespace kd
+}  // namespace kd

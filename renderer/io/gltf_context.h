@@ -20,16 +20,16 @@ class GltfContext {
 
     /// Adds a note, once however often it is made.
     void note(std::string_view text);
-    /// Counts things of one kind into one note: count("skipped", "primitive", " of points") gives "skipped 3 primitives of
-    /// points".
+    /// Counts things of one kind into one note: count("skipped", "primitive", " of points") gives "skipped 3 primitives
+    /// of points".
     void count(std::string_view verb, std::string_view noun, std::string_view what = "", std::uint64_t number = 1);
     /// All notes, in the order in which each was first made.
     [[nodiscard]] std::vector<std::string> notes() const;
 
   private:
     struct Entry {
-        std::string before, after; // around the number
-        std::uint64_t number;      // 0: no number, `before` is all
+        std::string before, after;  // around the number
+        std::uint64_t number;       // 0: no number, `before` is all
         bool operator==(const Entry&) const = default;
     };
     std::string file_;
@@ -41,4 +41,4 @@ class GltfContext {
 /// "/a" + "b" -> "/a/b", escaped as RFC 6901 says and fit for one line.
 [[nodiscard]] std::string pointer_to(std::string_view parent, std::string_view key);
 
-} // namespace kd
+}  // namespace kd

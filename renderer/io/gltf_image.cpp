@@ -43,7 +43,7 @@ std::optional<Size> jpeg_size(Bytes bytes) {
     while (at + 9 <= bytes.size()) {
         if (bytes[at] != 0xff) return std::nullopt;
         const unsigned marker = bytes[at + 1];
-        if (marker == 0xff) { // fill byte
+        if (marker == 0xff) {  // fill byte
             ++at;
             continue;
         }
@@ -95,7 +95,7 @@ std::string name_of(const tinygltf::Image& image, std::size_t index) {
     return "image " + std::to_string(index) + (name.empty() ? "" : " (" + printable(name, 60) + ")");
 }
 
-} // namespace
+}  // namespace
 
 Image<Rgba8> decode_gltf_image(GltfContext& context, const tinygltf::Model& model, std::size_t index,
                                std::uint64_t& pixels_left) {
@@ -122,4 +122,4 @@ Vec3 mean_colour(const Image<Rgba8>& image) {
                 static_cast<double>(blue) * scale);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -13,9 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> supported_extensions{"KHR_lights_punctual",
-                                                               "KHR_materials_pbrSpecularGlossiness",
-                                                               "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 4> supported_extensions{
+    "KHR_lights_punctual", "KHR_materials_pbrSpecularGlossiness", "KHR_mesh_quantization", "KHR_texture_transform"};
 constexpr int deepest_nesting = 256;
 
 bool supported(std::string_view extension) {
@@ -43,7 +42,7 @@ void check_nesting(const GltfContext& context, std::string_view text) {
 std::string place_of(std::string_view text, std::size_t end) {
     const std::string_view before = text.substr(0, end > 0 ? end - 1 : 0);
     const auto line = 1 + std::ranges::count(before, '\n');
-    const std::size_t line_begin = before.find_last_of('\n') + 1; // npos + 1 is 0
+    const std::size_t line_begin = before.find_last_of('\n') + 1;  // npos + 1 is 0
     return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_begin + 1);
 }
 
@@ -74,7 +73,7 @@ void check_extensions(GltfContext& context, const json& gltf) {
     }
 }
 
-} // namespace
+}  // namespace
 
 json parse_gltf_json(const GltfContext& context, std::string_view text) {
     check_nesting(context, text);
@@ -97,4 +96,4 @@ void check_gltf_json(GltfContext& context, const json& gltf) {
     check_gltf_rules(context, gltf, GltfRules::content);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -11,8 +11,9 @@ namespace kd {
 /// InputError for text that is not a JSON object, or is nested more than 256 deep (later code may recurse).
 [[nodiscard]] nlohmann::json parse_gltf_json(const GltfContext& context, std::string_view text);
 
-/// Version, required extensions, and the type and range of every value that the loader relies on: indices name something
-/// that exists, sizes and offsets are whole numbers, lists have their length. InputError with the value's JSON pointer.
+/// Version, required extensions, and the type and range of every value that the loader relies on: indices name
+/// something that exists, sizes and offsets are whole numbers, lists have their length. InputError with the value's
+/// JSON pointer.
 void check_gltf_json(GltfContext& context, const nlohmann::json& json);
 
-} // namespace kd
+}  // namespace kd

@@ -16,7 +16,7 @@ constexpr const char* transform_extension = "KHR_texture_transform";
 
 bool names_one_of(int index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
 
-} // namespace
+}  // namespace
 
 Vec2 UvTransform::apply(Vec2 uv) const {
     const double c = std::cos(rotation);
@@ -74,7 +74,7 @@ PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness&
         tint = srgb_decoded(glm::dvec3(mean_colour(scene_.textures[static_cast<std::size_t>(texture.texture)])));
     }
     PbrSurface surface = metallic_roughness(base * tint, metallic, roughness);
-    surface.base = base; // the texture itself tints what is scattered
+    surface.base = base;  // the texture itself tints what is scattered
     return surface;
 }
 
@@ -121,8 +121,7 @@ GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, 
     if (known != texture_of_image_.end()) {
         use.texture = known->second;
     } else {
-        scene_.textures.push_back(
-            decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
+        scene_.textures.push_back(decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
         use.texture = static_cast<int>(scene_.textures.size()) - 1;
         texture_of_image_[image] = use.texture;
     }
@@ -151,4 +150,4 @@ glm::dvec3 GltfMaterials::in_range(const std::vector<double>& factors) {
     return {in_range(factors.at(0)), in_range(factors.at(1)), in_range(factors.at(2))};
 }
 
-} // namespace kd
+}  // namespace kd

@@ -15,7 +15,7 @@ namespace kd {
 struct UvTransform {
     glm::dvec2 offset{0.0};
     glm::dvec2 scale{1.0};
-    double rotation = 0.0; // radians
+    double rotation = 0.0;  // radians
 
     [[nodiscard]] Vec2 apply(Vec2 uv) const;
 };
@@ -23,8 +23,8 @@ struct UvTransform {
 /// A material of the scene, and which texture coordinates its primitives must bring.
 struct MaterialUse {
     int material = 0;
-    int uv_set = -1;     // n of TEXCOORD_n; -1 where it has no texture
-    bool repeats = true; // the file wants it so beyond the edges of its texture; it is so in any case
+    int uv_set = -1;      // n of TEXCOORD_n; -1 where it has no texture
+    bool repeats = true;  // the file wants it so beyond the edges of its texture; it is so in any case
     UvTransform uv;
 };
 
@@ -33,12 +33,13 @@ class GltfMaterials {
   public:
     GltfMaterials(GltfContext& context, const tinygltf::Model& model, Scene& scene);
 
-    /// The scene's material for glTF material `index`; glTF's default material for -1 or an index that names none (noted).
+    /// The scene's material for glTF material `index`; glTF's default material for -1 or an index that names none
+    /// (noted).
     const MaterialUse& use(int index);
 
   private:
     struct TextureUse {
-        int texture = -1; // of the scene
+        int texture = -1;  // of the scene
         int uv_set = 0;
         bool repeats = true;
         UvTransform uv;
@@ -60,4 +61,4 @@ class GltfMaterials {
     std::uint64_t pixels_left_;
 };
 
-} // namespace kd
+}  // namespace kd

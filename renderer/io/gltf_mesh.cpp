@@ -115,7 +115,8 @@ std::vector<Vec2> read_uvs(GltfContext& context, const tinygltf::Model& model, c
     std::vector<Vec2> uvs = read_companion<Vec2>(context, model, accessor, vertices, "texture coordinates");
     for (Vec2& uv : uvs) uv = material.uv.apply(uv);
     if (!material.repeats && std::ranges::any_of(uvs, leaves_texture)) {
-        context.count("repeated the texture of", "primitive", " beyond its edges, where it should be clamped or mirrored");
+        context.count("repeated the texture of", "primitive",
+                      " beyond its edges, where it should be clamped or mirrored");
     }
     return uvs;
 }
@@ -140,7 +141,7 @@ Mesh convert(GltfContext& context, const tinygltf::Model& model, const tinygltf:
     return mesh;
 }
 
-} // namespace
+}  // namespace
 
 void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
                       const std::vector<std::uint64_t>& uses) {
@@ -162,7 +163,8 @@ void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
                                      std::to_string(largest_triangle_count));
             }
             if (vertices > largest_vertex_count) {
-                context.fail("", "more than " + std::to_string(largest_vertex_count) + " vertices; use a smaller scene");
+                context.fail("",
+                             "more than " + std::to_string(largest_vertex_count) + " vertices; use a smaller scene");
             }
         }
     }
@@ -191,4 +193,4 @@ std::vector<int> add_gltf_mesh(GltfContext& context, const tinygltf::Model& mode
     return added;
 }
 
-} // namespace kd
+}  // namespace kd

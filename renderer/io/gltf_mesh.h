@@ -11,13 +11,12 @@
 
 namespace kd {
 
-inline constexpr std::uint64_t largest_triangle_count = 50'000'000; // after instancing
-inline constexpr std::uint64_t largest_vertex_count = 50'000'000;   // before it
+inline constexpr std::uint64_t largest_triangle_count = 50'000'000;  // after instancing
+inline constexpr std::uint64_t largest_vertex_count = 50'000'000;    // before it
 
-/// InputError where the meshes, `uses[i]` times mesh i, come to more triangles or vertices than the limits. Reads counts
-/// only, so that a small file cannot make the loader ask for much memory.
-void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
-                      const std::vector<std::uint64_t>& uses);
+/// InputError where the meshes, `uses[i]` times mesh i, come to more triangles or vertices than the limits. Reads
+/// counts only, so that a small file cannot make the loader ask for much memory.
+void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model, const std::vector<std::uint64_t>& uses);
 
 /// Adds one mesh to the scene for each primitive of mesh `index` that is made of triangles, and returns their numbers.
 /// Points and lines, indices out of range and attributes that do not fit are dropped and counted. InputError for
@@ -25,4 +24,4 @@ void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
 [[nodiscard]] std::vector<int> add_gltf_mesh(GltfContext& context, const tinygltf::Model& model, std::size_t index,
                                              GltfMaterials& materials, Scene& scene);
 
-} // namespace kd
+}  // namespace kd

@@ -16,7 +16,7 @@ glm::dmat4 rotation_of(GltfContext& context, const std::vector<double>& xyzw) {
         context.count("ignored", "rotation", " of length zero or beyond measure");
         return glm::dmat4(1.0);
     }
-    return glm::mat4_cast(rotation / length); // exporters round, so the length is never taken for 1
+    return glm::mat4_cast(rotation / length);  // exporters round, so the length is never taken for 1
 }
 
 /// tinygltf leaves what the file does not say empty; lengths have been checked.
@@ -53,7 +53,7 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
     return roots;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model& model) {
     // Last in, first out, so children are put on in reverse.
@@ -69,7 +69,8 @@ std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model
         PlacedNode next = waiting.back();
         waiting.pop_back();
         if (seen[next.node]) {
-            context.fail(pointer_to("/nodes", next.node), "reached twice (a loop, or two parents); nodes must form trees");
+            context.fail(pointer_to("/nodes", next.node),
+                         "reached twice (a loop, or two parents); nodes must form trees");
         }
         seen[next.node] = 1;
         const tinygltf::Node& node = model.nodes[next.node];
@@ -80,4 +81,4 @@ std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model
     return placed;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -10,12 +10,12 @@
 namespace kd {
 
 struct PlacedNode {
-    std::size_t node; // in the model
+    std::size_t node;  // in the model
     glm::dmat4 to_world;
 };
 
-/// The nodes of the file's scene (its default one, else the first; all trees where it has no scenes), parents before their
-/// children, in the file's order. InputError where a node is reached twice: nodes must form trees.
+/// The nodes of the file's scene (its default one, else the first; all trees where it has no scenes), parents before
+/// their children, in the file's order. InputError where a node is reached twice: nodes must form trees.
 [[nodiscard]] std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model& model);
 
-} // namespace kd
+}  // namespace kd

@@ -43,8 +43,8 @@ tinygltf::Model decode(const GltfContext& context, const GltfText& text, GltfRes
     loader.SetImageLoader(keep_encoded, nullptr);
     tinygltf::Model model;
     std::string error;
-    std::string warning; // about images that are missing, which are noted where they are used
-    const std::string no_folder; // every name is looked up in `resources`
+    std::string warning;          // about images that are missing, which are noted where they are used
+    const std::string no_folder;  // every name is looked up in `resources`
     bool good = false;
     if (text.is_binary()) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(text.container.data());
@@ -58,7 +58,7 @@ tinygltf::Model decode(const GltfContext& context, const GltfText& text, GltfRes
     return model;
 }
 
-} // namespace
+}  // namespace
 
 tinygltf::Model parse_gltf(GltfContext& context, std::string_view bytes, const std::filesystem::path& folder) {
     const GltfText text = open_gltf(context, bytes);
@@ -68,4 +68,4 @@ tinygltf::Model parse_gltf(GltfContext& context, std::string_view bytes, const s
     return decode(context, text, resources);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -21,9 +21,9 @@ void check_view(const GltfContext& context, const json& view, const std::string&
     const auto length = view.at("byteLength").get<std::uint64_t>();
     if (length == 0) context.fail(pointer_to(pointer, "byteLength"), "must be 1 or more");
     if (offset > buffer_length || length > buffer_length - offset) {
-        context.fail(pointer_to(pointer, "byteLength"),
-                     std::to_string(length) + " bytes from " + std::to_string(offset) +
-                         " on reach beyond the buffer's " + std::to_string(buffer_length));
+        context.fail(pointer_to(pointer, "byteLength"), std::to_string(length) + " bytes from " +
+                                                            std::to_string(offset) + " on reach beyond the buffer's " +
+                                                            std::to_string(buffer_length));
     }
     const auto stride = view.find("byteStride");
     if (stride == view.end()) return;
@@ -33,7 +33,7 @@ void check_view(const GltfContext& context, const json& view, const std::string&
     }
 }
 
-} // namespace
+}  // namespace
 
 GltfResources::GltfResources(GltfContext& context, const json& gltf, const GltfText& text, std::filesystem::path folder)
     : folder_(folder.empty() ? "." : std::move(folder)) {
@@ -48,8 +48,8 @@ GltfResources::GltfResources(GltfContext& context, const json& gltf, const GltfT
         const auto length = buffers[i].at("byteLength").get<std::uint64_t>();
         if (length == 0) context.fail(pointer, "must be 1 or more");
         if (length > largest_buffer_total - total) {
-            context.fail(pointer, "the buffers are larger than the limit of " + std::to_string(largest_buffer_total) +
-                                      " bytes");
+            context.fail(pointer,
+                         "the buffers are larger than the limit of " + std::to_string(largest_buffer_total) + " bytes");
         }
         total += length;
     }
@@ -70,8 +70,8 @@ void GltfResources::add_buffer(const GltfContext& context, const json& buffer, s
     const auto length = buffer.at("byteLength").get<std::uint64_t>();
     const auto require_length = [&](std::uint64_t available, bool good) {
         if (good) return;
-        context.fail(pointer_to(pointer, "byteLength"), "says " + std::to_string(length) + " bytes, there are " +
-                                                            std::to_string(available));
+        context.fail(pointer_to(pointer, "byteLength"),
+                     "says " + std::to_string(length) + " bytes, there are " + std::to_string(available));
     };
     const std::string uri = buffer.value("uri", "");
     if (uri.empty()) {
@@ -127,4 +127,4 @@ std::vector<unsigned char> GltfResources::read(const std::string& name) const {
     return {bytes.begin(), bytes.end()};
 }
 
-} // namespace kd
+}  // namespace kd

@@ -13,14 +13,14 @@
 
 namespace kd {
 
-inline constexpr std::uint64_t largest_buffer_total = std::uint64_t(2) << 30;   // bytes, all buffers of a file together
-inline constexpr std::uint64_t largest_image_file = std::uint64_t(256) << 20; // bytes, encoded
+inline constexpr std::uint64_t largest_buffer_total = std::uint64_t(2) << 30;  // bytes, all buffers of a file together
+inline constexpr std::uint64_t largest_image_file = std::uint64_t(256) << 20;  // bytes, encoded
 
 class GltfResources {
   public:
     /// Checks every buffer, bufferView and image of `gltf`, whose single values are right already, and reads the files
-    /// that hold buffers. InputError where a URI must not be opened, a buffer is not there or too short, or a bufferView
-    /// reaches beyond its buffer. Images are not opened yet.
+    /// that hold buffers. InputError where a URI must not be opened, a buffer is not there or too short, or a
+    /// bufferView reaches beyond its buffer. Images are not opened yet.
     GltfResources(GltfContext& context, const nlohmann::json& gltf, const GltfText& text, std::filesystem::path folder);
 
     /// True for the names that tinygltf gives to what the scene refers to: its decoded URIs.
@@ -32,7 +32,7 @@ class GltfResources {
     struct File {
         std::filesystem::path path;
         bool is_buffer = false;
-        std::string bytes; // of a buffer: as many as byteLength says
+        std::string bytes;  // of a buffer: as many as byteLength says
     };
     void add_buffer(const GltfContext& context, const nlohmann::json& buffer, std::size_t index, const GltfText& text);
     void add_image(const GltfContext& context, const nlohmann::json& image, std::size_t index);
@@ -42,4 +42,4 @@ class GltfResources {
     std::map<std::string, File> files_;
 };
 
-} // namespace kd
+}  // namespace kd

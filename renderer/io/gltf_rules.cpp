@@ -18,17 +18,17 @@ enum class Kind {
     list,
     text,
     number,
-    element,     // name of an accessor's element type
-    whole,       // 0, 1, 2, ...
-    whole_31bit, // tinygltf keeps it in an int
-    index,       // of an element of the top-level list `list`
-    numbers,     // exactly `length` of them
+    element,      // name of an accessor's element type
+    whole,        // 0, 1, 2, ...
+    whole_31bit,  // tinygltf keeps it in an int
+    index,        // of an element of the top-level list `list`
+    numbers,      // exactly `length` of them
 };
 
 struct Rule {
-    std::string_view pattern; // a JSON pointer; '*' stands for every element or member
+    std::string_view pattern;  // a JSON pointer; '*' stands for every element or member
     Kind kind;
-    bool required = false; // wherever its parent exists
+    bool required = false;  // wherever its parent exists
     std::string_view list = {};
     std::size_t length = 0;
 };
@@ -39,12 +39,9 @@ constexpr bool required = true;
 constexpr bool optional = false;
 
 constexpr Rule header_rules[] = {
-    {"/asset", Kind::object, required},
-    {"/asset/version", Kind::text, required},
-    {"/asset/minVersion", Kind::text},
-    {"/extensionsUsed", Kind::list},
-    {"/extensionsUsed/*", Kind::text},
-    {"/extensionsRequired", Kind::list},
+    {"/asset", Kind::object, required},    {"/asset/version", Kind::text, required},
+    {"/asset/minVersion", Kind::text},     {"/extensionsUsed", Kind::list},
+    {"/extensionsUsed/*", Kind::text},     {"/extensionsRequired", Kind::list},
     {"/extensionsRequired/*", Kind::text},
 };
 
@@ -187,12 +184,12 @@ void check_below(const GltfContext& context, const json& gltf, const Rule& rule,
     }
 }
 
-} // namespace
+}  // namespace
 
 void check_gltf_rules(const GltfContext& context, const json& gltf, GltfRules rules) {
-    const std::span<const Rule> table = rules == GltfRules::header ? std::span<const Rule>(header_rules)
-                                                                    : std::span<const Rule>(content_rules);
+    const std::span<const Rule> table =
+        rules == GltfRules::header ? std::span<const Rule>(header_rules) : std::span<const Rule>(content_rules);
     for (const Rule& rule : table) check_below(context, gltf, rule, rule.pattern, gltf, "");
 }
 
-} // namespace kd
+}  // namespace kd

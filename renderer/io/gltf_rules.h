@@ -13,4 +13,4 @@ enum class GltfRules { header, content };
 /// InputError with the JSON pointer of the first value that breaks a rule.
 void check_gltf_rules(const GltfContext& context, const nlohmann::json& gltf, GltfRules rules);
 
-} // namespace kd
+}  // namespace kd

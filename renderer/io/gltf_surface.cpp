@@ -14,7 +14,7 @@ double decode(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055)
 constexpr double dielectric = 0.04;
 constexpr double least_shown = 1.0 / 255.0;
 
-} // namespace
+}  // namespace
 
 glm::dvec3 srgb_encoded(glm::dvec3 linear) { return {encode(linear.x), encode(linear.y), encode(linear.z)}; }
 glm::dvec3 srgb_decoded(glm::dvec3 encoded) { return {decode(encoded.x), decode(encoded.y), decode(encoded.z)}; }
@@ -48,4 +48,4 @@ Material to_material(const PbrSurface& surface, int texture) {
     return material;
 }
 
-} // namespace kd
+}  // namespace kd

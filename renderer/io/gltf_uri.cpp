@@ -10,10 +10,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 7> data_headers{
-    "data:application/octet-stream;base64,", "data:application/gltf-buffer;base64,", "data:image/png;base64,",
-    "data:image/jpeg;base64,",               "data:image/bmp;base64,",               "data:image/gif;base64,",
-    "data:text/plain;base64,"};
+constexpr std::array<std::string_view, 7> data_headers{"data:application/octet-stream;base64,",
+                                                       "data:application/gltf-buffer;base64,",
+                                                       "data:image/png;base64,",
+                                                       "data:image/jpeg;base64,",
+                                                       "data:image/bmp;base64,",
+                                                       "data:image/gif;base64,",
+                                                       "data:text/plain;base64,"};
 
 bool is_base64_digit(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
@@ -41,7 +44,7 @@ bool is_inside(const fs::path& folder, const fs::path& path) {
     return end_of_folder == folder.end() && rest != path.end();
 }
 
-} // namespace
+}  // namespace
 
 bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
 
@@ -89,4 +92,4 @@ std::optional<std::string> uri_objection(const fs::path& folder, const std::stri
     return std::nullopt;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -21,4 +21,4 @@ namespace kd {
 /// symbolic link). Nothing where it may be; whether there is such a file is another question.
 [[nodiscard]] std::optional<std::string> uri_objection(const std::filesystem::path& folder, const std::string& decoded);
 
-} // namespace kd
+}  // namespace kd

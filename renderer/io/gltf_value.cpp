@@ -23,8 +23,7 @@ std::optional<int> find_index(const tinygltf::Value& object, const std::string& 
     return member.Get<int>();
 }
 
-std::vector<double> numbers_or(const tinygltf::Value& object, const std::string& name,
-                               std::vector<double> otherwise) {
+std::vector<double> numbers_or(const tinygltf::Value& object, const std::string& name, std::vector<double> otherwise) {
     const tinygltf::Value& member = object.Get(name);
     if (member.ArrayLen() != otherwise.size()) return otherwise;
     std::vector<double> numbers;
@@ -35,4 +34,4 @@ std::vector<double> numbers_or(const tinygltf::Value& object, const std::string&
     return numbers;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -20,4 +20,4 @@ namespace kd {
 [[nodiscard]] std::vector<double> numbers_or(const tinygltf::Value& object, const std::string& name,
                                              std::vector<double> otherwise);
 
-} // namespace kd
+}  // namespace kd

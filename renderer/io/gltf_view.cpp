@@ -99,7 +99,7 @@ void expose(GltfContext& context, std::vector<Light>& lights, const Aabb& bounds
     context.note(fmt::format("dimmed all lights by a factor of {:.3g}, to what a display can show", strongest));
 }
 
-} // namespace
+}  // namespace
 
 std::optional<Camera> first_camera(GltfContext& context, const tinygltf::Model& model,
                                    const std::vector<PlacedNode>& nodes, const Aabb& bounds) {
@@ -141,4 +141,4 @@ std::vector<Light> punctual_lights(GltfContext& context, const tinygltf::Model& 
     return lights;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -1,5 +1,5 @@
-// Reading with libpng, which leaves a function by longjmp when a file is broken. Therefore what needs destruction lives in
-// Reader, outside of the functions that call setjmp.
+// Reading with libpng, which leaves a function by longjmp when a file is broken. Therefore what needs destruction lives
+// in Reader, outside of the functions that call setjmp.
 #include <csetjmp>
 #include <cstring>
 #include <png.h>
@@ -13,11 +13,11 @@ namespace kd {
 
 namespace {
 
-constexpr std::uint64_t largest_pixel_count = std::uint64_t(1) << 28; // 1 GiB of RGBA
+constexpr std::uint64_t largest_pixel_count = std::uint64_t(1) << 28;  // 1 GiB of RGBA
 
 struct Reader {
     std::string_view rest;  // bytes that libpng has not asked for yet
-    char reason[128] = ""; // why reading stopped
+    char reason[128] = "";  // why reading stopped
     png_structp png = nullptr;
     png_infop info = nullptr;
     Image<Rgba8> image;
@@ -53,7 +53,7 @@ bool read_header(Reader& reader) {
     const std::uint64_t height = png_get_image_height(reader.png, reader.info);
     if (width * height > largest_pixel_count) png_error(reader.png, "it has more than 2^28 pixels");
 
-    png_set_expand(reader.png); // palettes, 1 to 4 bits, transparent colours
+    png_set_expand(reader.png);  // palettes, 1 to 4 bits, transparent colours
     png_set_scale_16(reader.png);
     png_set_gray_to_rgb(reader.png);
     png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
@@ -66,7 +66,8 @@ bool read_rows(Reader& reader) {
     const int passes = png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
     const auto width = static_cast<std::size_t>(reader.image.width);
-    if (png_get_rowbytes(reader.png, reader.info) != width * sizeof(Rgba8)) png_error(reader.png, "unexpected row size");
+    if (png_get_rowbytes(reader.png, reader.info) != width * sizeof(Rgba8))
+        png_error(reader.png, "unexpected row size");
     for (int pass = 0; pass < passes; ++pass) {
         for (int y = 0; y < reader.image.height; ++y) {
             Rgba8* row = reader.image.pixels.data() + static_cast<std::size_t>(y) * width;
@@ -105,7 +106,7 @@ void read_all(Reader& reader, std::string_view bytes, const std::string& name) {
     collect_text(reader);
 }
 
-} // namespace
+}  // namespace
 
 Image<Rgba8> decode_png(std::string_view bytes, const std::string& name) {
     Reader reader;
@@ -122,4 +123,4 @@ PngText read_png_text(const std::filesystem::path& path) {
     return std::move(reader.text);
 }
 
-} // namespace kd
+}  // namespace kd

@@ -41,7 +41,7 @@ void on_write(png_structp png, png_bytep data, png_size_t count) {
     try {
         writer->bytes.append(reinterpret_cast<const char*>(data), count);
     } catch (const std::exception&) {
-        writer->out_of_memory = true; // no exception may cross libpng; longjmp may not leave a handler
+        writer->out_of_memory = true;  // no exception may cross libpng; longjmp may not leave a handler
     }
     if (writer->out_of_memory) png_error(png, "out of memory");
 }
@@ -53,7 +53,8 @@ bool encode(Writer& writer, const Image<Rgba8>& image) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &writer, on_write, on_flush);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-                 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(writer.png, writer.info, writer.text.data(), static_cast<int>(writer.text.size()));
     png_write_info(writer.png, writer.info);
@@ -81,7 +82,7 @@ std::vector<png_text> chunks_of(const PngText& text, const std::filesystem::path
         }
         png_text chunk{};
         chunk.compression = plain_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-        chunk.key = const_cast<png_charp>(key.c_str());   // libpng copies both
+        chunk.key = const_cast<png_charp>(key.c_str());  // libpng copies both
         chunk.text = const_cast<png_charp>(value.c_str());
         chunk.text_length = value.size();
         chunks.push_back(chunk);
@@ -89,7 +90,7 @@ std::vector<png_text> chunks_of(const PngText& text, const std::filesystem::path
     return chunks;
 }
 
-} // namespace
+}  // namespace
 
 void write_png(const std::filesystem::path& path, const Image<Rgba8>& image, const PngText& text) {
     const auto require = [&](bool good, const char* reason) {
@@ -106,4 +107,4 @@ void write_png(const std::filesystem::path& path, const Image<Rgba8>& image, con
     write_file(path, writer.bytes);
 }
 
-} // namespace kd
+}  // namespace kd

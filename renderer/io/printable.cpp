@@ -19,4 +19,4 @@ std::string printable(std::string_view text, std::size_t limit) {
     return line;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -9,4 +9,4 @@ namespace kd {
 /// `text` on one line: control characters become '?', and what is longer than `limit` bytes ends in "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t limit = 120);
 
-} // namespace kd
+}  // namespace kd

@@ -96,9 +96,7 @@ std::optional<float> parse_float(std::string_view text) {
     return value;
 }
 
-bool names_infinity(std::string_view text) {
-    return text.find_first_of("iI") != std::string_view::npos;
-}
+bool names_infinity(std::string_view text) { return text.find_first_of("iI") != std::string_view::npos; }
 
 float read_cell(std::string_view cell, const Column& column, const Place& place) {
     const std::optional<float> value = parse_float(cell);
@@ -145,12 +143,12 @@ Ray read_ray(std::string_view line, const std::vector<const Column*>& header, co
     return ray;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Ray> read_rays_csv(const std::filesystem::path& path) {
     const std::string text = read_file(path);
     std::string_view rest = text;
-    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3); // byte order mark of some spreadsheets
+    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of some spreadsheets
 
     Place place{path.string()};
     std::vector<const Column*> header;
@@ -176,7 +174,8 @@ std::string hex_float(float value) {
     std::array<char, 32> digits;
     const char* const end =
         std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(value), std::chars_format::hex).ptr;
-    return (std::signbit(value) ? "-0x" : "0x") + std::string(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    return (std::signbit(value) ? "-0x" : "0x") +
+           std::string(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
 std::string rays_csv(std::span<const Ray> rays) {
@@ -192,4 +191,4 @@ std::string rays_csv(std::span<const Ray> rays) {
     return text;
 }
 
-} // namespace kd
+}  // namespace kd

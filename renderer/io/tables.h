@@ -23,12 +23,12 @@ namespace kd {
 [[nodiscard]] std::string hex_float(float value);
 
 /// One row per pixel, row by row from the top: x, y, then for every pass that ran triangle, t, u, v, every counter and
-/// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the other
-/// passes where some pixel traced something. Floats are the shortest decimals that give the same float back.
+/// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the
+/// other passes where some pixel traced something. Floats are the shortest decimals that give the same float back.
 [[nodiscard]] std::string frame_csv(const Frame& frame);
 
 /// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t (the ray's
 /// t_max where nothing was hit). InputError naming path and reason.
 void write_frame_exr(const std::filesystem::path& path, const Frame& frame);
 
-} // namespace kd
+}  // namespace kd

@@ -14,7 +14,9 @@ namespace kd {
 
 namespace {
 
-constexpr std::size_t rays_per_step = 16384;  // between looks at the stop request
+// Between looks at the stop request: rays, and ray-triangle products of brute force.
+constexpr std::size_t rays_per_step = 16384;
+constexpr std::int64_t products_per_step = 500'000'000;
 
 struct Stopped {};
 
@@ -124,24 +126,32 @@ class Verification {
     }
 
     RayAnswers cpu_answers(CpuTracer& tracer, Mode mode, const std::vector<Ray>& rays, bool all) const {
-        return answers(rays, all, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
+        return answers(rays, mode, all, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
             tracer.trace_rays(mode.config(), part, any, hits, counters, config_.threads);
         });
     }
 
     RayAnswers gl_answers(GlTracer& tracer, Mode mode, const std::vector<Ray>& rays) const {
-        return answers(rays, true, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
+        return answers(rays, mode, true, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
             tracer.trace_rays(mode.config(), part, any, hits, counters);
         });
     }
 
+    std::size_t step_for(Mode mode) const {
+        if (mode.traversal != Traversal::naive) return rays_per_step;
+        // The CPU tracer gives its threads 1024 rays at a time.
+        const auto fewest = 1024 * std::size_t(config_.threads > 0 ? config_.threads : default_threads());
+        return std::max(fewest, std::size_t(products_per_step / std::max<std::int64_t>(report_.triangles, 1)));
+    }
+
     /// Nearest hits, and with `all` also counters and any-hit answers.
     template <class Trace>
-    RayAnswers answers(const std::vector<Ray>& rays, bool all, const Trace& trace) const {
+    RayAnswers answers(const std::vector<Ray>& rays, Mode mode, bool all, const Trace& trace) const {
         RayAnswers found(rays.size());
-        for (std::size_t first = 0; first < rays.size(); first += rays_per_step) {
+        const std::size_t step = step_for(mode);
+        for (std::size_t first = 0; first < rays.size(); first += step) {
             check_stop();
-            const std::size_t n = std::min(rays_per_step, rays.size() - first);
+            const std::size_t n = std::min(step, rays.size() - first);
             const std::span part = std::span(rays).subspan(first, n);
             const auto counters = all ? std::span(found.counters).subspan(first, n) : std::span<RayCounters>();
             trace(part, false, std::span(found.nearest).subspan(first, n), counters);

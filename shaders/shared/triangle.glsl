@@ -24,8 +24,10 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real edge_a = cx * by - cy * bx;
     PRECISE real edge_b = ax * cy - ay * cx;
     PRECISE real edge_c = bx * ay - by * ax;
-    if ((edge_a < real(0) || edge_b < real(0) || edge_c < real(0)) &&
-        (edge_a > real(0) || edge_b > real(0) || edge_c > real(0))) return;
+    // Outside where signs differ. Least and greatest first: six branches on the signs would be unpredictable ones.
+    real least = min(edge_a, min(edge_b, edge_c));
+    real greatest = max(edge_a, max(edge_b, edge_c));
+    if (least < real(0) && greatest > real(0)) return;
 
     PRECISE real determinant = edge_a + edge_b + edge_c;
     if (determinant == real(0)) return;

@@ -57,7 +57,9 @@ TEST(Engine, ShowsTheWholePictureOfTheSessionItStartsWith) {
     EXPECT_EQ(state.picture->image.height, 48);
     EXPECT_EQ(state.picture->traced.scale, 1);
     EXPECT_EQ(state.world->stats.triangles, std::int64_t(state.world->scene().triangles.size()));
-    EXPECT_FALSE(state.picture->legend.empty());
+    ASSERT_TRUE(state.picture->map);
+    EXPECT_EQ(state.picture->map->summary.count, 64 * 48);
+    EXPECT_TRUE(state.picture->map->labels.values.empty());
     EXPECT_TRUE(state.messages.empty());
 }
 
@@ -71,7 +73,6 @@ TEST(Engine, SameSessionSamePicture) {
     ASSERT_TRUE(settle(a));
     ASSERT_TRUE(settle(b));
     EXPECT_EQ(a.state().picture->image, b.state().picture->image);
-    EXPECT_EQ(a.state().picture->legend, b.state().picture->legend);
 }
 
 TEST(Engine, TheLatestOfManySessionsWins) {

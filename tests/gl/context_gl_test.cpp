@@ -15,8 +15,7 @@ using test::ContextTest;
 class ContextGl : public ContextTest {};
 KD_FOR_ALL_CONTEXTS(ContextGl);
 
-TEST_P(ContextGl, TellsWhatItIs)
-{
+TEST_P(ContextGl, TellsWhatItIs) {
     EXPECT_EQ(context->kind(), GetParam());
     EXPECT_FALSE(context->renderer().empty());
     EXPECT_FALSE(context->version().empty());
@@ -27,13 +26,9 @@ TEST_P(ContextGl, TellsWhatItIs)
     EXPECT_GE(10 * major + minor, 43);
 }
 
-TEST_P(ContextGl, LeavesNoErrorBehind)
-{
-    EXPECT_NO_THROW(check_gl(gl(), "creating"));
-}
+TEST_P(ContextGl, LeavesNoErrorBehind) { EXPECT_NO_THROW(check_gl(gl(), "creating")); }
 
-TEST_P(ContextGl, ReportsErrorsWithTheirStep)
-{
+TEST_P(ContextGl, ReportsErrorsWithTheirStep) {
     gl().Enable(GL_TEXTURE_2D + 12345);
     try {
         check_gl(gl(), "doing this");
@@ -44,8 +39,7 @@ TEST_P(ContextGl, ReportsErrorsWithTheirStep)
     EXPECT_NO_THROW(check_gl(gl(), "afterwards"));
 }
 
-TEST_P(ContextGl, ComesBackAfterAnotherContext)
-{
+TEST_P(ContextGl, ComesBackAfterAnotherContext) {
     GLuint buffer = 0;
     gl().GenBuffers(1, &buffer);
     const float value = 42.0f;
@@ -60,7 +54,7 @@ TEST_P(ContextGl, ComesBackAfterAnotherContext)
             EXPECT_EQ(read, value) << "after making " << name_of(kind);
             other->make_current();
         } catch (const ContextError&) {
-            continue; // this machine does not have that one
+            continue;  // this machine does not have that one
         }
         // The other one is gone now.
         context->make_current();
@@ -71,8 +65,7 @@ TEST_P(ContextGl, ComesBackAfterAnotherContext)
     gl().DeleteBuffers(1, &buffer);
 }
 
-TEST_P(ContextGl, RefusesOldVersions)
-{
+TEST_P(ContextGl, RefusesOldVersions) {
     context.reset();
     setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
     setenv("MESA_GLSL_VERSION_OVERRIDE", "330", 1);
@@ -90,8 +83,7 @@ TEST_P(ContextGl, RefusesOldVersions)
     EXPECT_NE(message.find("--tracer cpu"), std::string::npos) << message;
 }
 
-TEST(Context, AutomaticFindsOne)
-{
+TEST(Context, AutomaticFindsOne) {
     try {
         const auto context = Context::create(ContextKind::automatic);
         EXPECT_NE(context->kind(), ContextKind::automatic);
@@ -101,8 +93,7 @@ TEST(Context, AutomaticFindsOne)
     }
 }
 
-TEST(Context, AdoptsTheCurrentOne)
-{
+TEST(Context, AdoptsTheCurrentOne) {
     std::unique_ptr<Context> owner;
     try {
         owner = Context::create(ContextKind::egl);
@@ -118,13 +109,11 @@ TEST(Context, AdoptsTheCurrentOne)
     dlclose(library);
 }
 
-TEST(Context, AdoptSaysWhenThereIsNone)
-{
+TEST(Context, AdoptSaysWhenThereIsNone) {
     EXPECT_THROW((void)Context::adopt([](const char*) -> void* { return nullptr; }), ContextError);
 }
 
-TEST(Context, NamesItsKinds)
-{
+TEST(Context, NamesItsKinds) {
     EXPECT_EQ(parse_context_kind("auto"), ContextKind::automatic);
     EXPECT_EQ(parse_context_kind("osmesa"), ContextKind::osmesa);
     EXPECT_EQ(parse_context_kind("egl"), ContextKind::egl);
@@ -133,13 +122,13 @@ TEST(Context, NamesItsKinds)
             (void)parse_context_kind(bad);
             FAIL() << bad;
         } catch (const ContextError& error) {
-            EXPECT_EQ(std::string(error.what()), std::string("unknown context '") + bad + "'. Known: auto, osmesa, egl");
+            EXPECT_EQ(std::string(error.what()),
+                      std::string("unknown context '") + bad + "'. Known: auto, osmesa, egl");
         }
     }
 }
 
-TEST(GlApi, ListsWhatIsMissing)
-{
+TEST(GlApi, ListsWhatIsMissing) {
     GlApi gl;
     const auto missing = gl.load([](const char* name) -> void* {
         static int somewhere;
@@ -150,5 +139,5 @@ TEST(GlApi, ListsWhatIsMissing)
     EXPECT_NE(gl.Enable, nullptr);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -14,15 +14,11 @@ using test::whole;
 constexpr int width = 80;
 constexpr int height = 60;
 
-std::size_t at(Pass pass)
-{
-    return static_cast<std::size_t>(pass);
-}
+std::size_t at(Pass pass) { return static_cast<std::size_t>(pass); }
 
 class EarlyZGl : public ContextTest {
-protected:
-    void SetUp() override
-    {
+  protected:
+    void SetUp() override {
         ContextTest::SetUp();
         if (!context) return;
         scene = test::mirror_scene(60, 3);
@@ -44,8 +40,7 @@ protected:
 };
 KD_FOR_ALL_CONTEXTS(EarlyZGl);
 
-TEST_P(EarlyZGl, ShadesExactlyTheActivePixels)
-{
+TEST_P(EarlyZGl, ShadesExactlyTheActivePixels) {
     const GlFrameReport report = draw();
     const Frame frame = tracer->read_frame(config.trace);
     std::int64_t hits = 0, reflective = 0;
@@ -65,15 +60,13 @@ TEST_P(EarlyZGl, ShadesExactlyTheActivePixels)
     EXPECT_EQ(report.shaded_pixels[at(Pass::shade_refl)], reflective);
 }
 
-TEST_P(EarlyZGl, AsPublishedShadesEveryPixel)
-{
+TEST_P(EarlyZGl, AsPublishedShadesEveryPixel) {
     config.early_z = EarlyZ::as_published;
     const GlFrameReport report = draw();
     for (const std::int64_t shaded : report.shaded_pixels) EXPECT_EQ(shaded, width * height);
 }
 
-TEST_P(EarlyZGl, MarksPathsThatEnd)
-{
+TEST_P(EarlyZGl, MarksPathsThatEnd) {
     config.trace.reflection_depth = 2;
     const GlFrameReport two = draw();
     config.trace.reflection_depth = 1;
@@ -84,8 +77,7 @@ TEST_P(EarlyZGl, MarksPathsThatEnd)
     EXPECT_EQ(two.shaded_pixels[at(Pass::shade_refl)] - one.shaded_pixels[at(Pass::shade_refl)], second);
 }
 
-TEST_P(EarlyZGl, ChangesNoPicture)
-{
+TEST_P(EarlyZGl, ChangesNoPicture) {
     config.count_shaded = false;
     for (const int depth : {1, 4}) {
         config.trace.reflection_depth = depth;
@@ -97,13 +89,13 @@ TEST_P(EarlyZGl, ChangesNoPicture)
         const Frame published = tracer->read_frame(config.trace);
         EXPECT_EQ(working.colour, published.colour) << depth;
         for (std::size_t pass = 0; pass < pass_count; ++pass)
-            EXPECT_TRUE(std::ranges::equal(working.layers[pass].hit.pixels, published.layers[pass].hit.pixels, bit_equal))
+            EXPECT_TRUE(
+                std::ranges::equal(working.layers[pass].hit.pixels, published.layers[pass].hit.pixels, bit_equal))
                 << pass_names[pass] << " at depth " << depth;
     }
 }
 
-TEST_P(EarlyZGl, CountingChangesNoPicture)
-{
+TEST_P(EarlyZGl, CountingChangesNoPicture) {
     (void)draw();
     const Frame counted = tracer->read_frame(config.trace);
     config.count_shaded = false;
@@ -112,8 +104,7 @@ TEST_P(EarlyZGl, CountingChangesNoPicture)
     EXPECT_EQ(tracer->read_frame(config.trace).colour, counted.colour);
 }
 
-TEST_P(EarlyZGl, NothingReflectiveMeansNoReflectionPasses)
-{
+TEST_P(EarlyZGl, NothingReflectiveMeansNoReflectionPasses) {
     for (Material& m : scene.materials) m.reflectance = Vec3(0);
     tracer->upload(scene, tree);
     const GlFrameReport report = draw();
@@ -126,13 +117,12 @@ TEST_P(EarlyZGl, NothingReflectiveMeansNoReflectionPasses)
     for (const Hit& hit : frame.layer(Pass::rt_refl).hit.pixels) ASSERT_EQ(hit.triangle, -1);
 }
 
-TEST_P(EarlyZGl, DepthZeroMeansNoReflectionPasses)
-{
+TEST_P(EarlyZGl, DepthZeroMeansNoReflectionPasses) {
     config.trace.reflection_depth = 0;
     const GlFrameReport report = draw();
     EXPECT_EQ(report.pass_ms[at(Pass::rt_refl)], 0.0);
     EXPECT_EQ(report.shaded_pixels[at(Pass::shade_refl)], -1);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

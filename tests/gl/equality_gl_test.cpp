@@ -10,8 +10,8 @@ using test::context_name;
 using test::ContextTest;
 using test::whole;
 
-/// Highlights use pow, which rounds differently on every machine (up to 51 ulp on llvmpipe, numerics of GLSL 4.7.1); all
-/// else in a colour is exact. Lights here are below 3 and gloss below 1, so this leaves an ample factor.
+/// Highlights use pow, which rounds differently on every machine (up to 51 ulp on llvmpipe); all else in a colour is
+/// exact. 51 ulp of a highlight of at most 3 are 1.9e-5; what is seen is a tenth of it.
 constexpr float colour_tolerance = 2e-5f;
 
 constexpr int width = 96;
@@ -23,47 +23,77 @@ struct Case {
     LeafLists lists;
 };
 
-std::vector<Case> all_cases()
-{
+/// Everything on OSMesa; EGL, the same driver where there is no GPU, without the copied lists.
+std::vector<Case> all_cases() {
     std::vector<Case> cases;
-    for (const ContextKind context : {ContextKind::osmesa, ContextKind::egl})
-        for (const TraversalInfo& traversal : traversals())
-            for (const LeafLists lists : {LeafLists::references, LeafLists::duplicated})
-                cases.push_back({context, traversal.id, lists});
+    for (const TraversalInfo& traversal : traversals()) {
+        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::references});
+        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::duplicated});
+        cases.push_back({ContextKind::egl, traversal.id, LeafLists::references});
+    }
     return cases;
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& test)
-{
+/// Compiling takes most of a test's time, so that what no traversal should matter to is tried with two.
+std::vector<Case> two_cases() {
+    return {{ContextKind::osmesa, Traversal::stack, LeafLists::references},
+            {ContextKind::egl, Traversal::backtrack, LeafLists::duplicated}};
+}
+
+std::vector<Case> each_traversal() {
+    std::vector<Case> cases;
+    for (const TraversalInfo& traversal : traversals())
+        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::references});
+    return cases;
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& test) {
     return std::string(name_of(test.param.context)) + "_" + std::string(info(test.param.traversal).name) +
            (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references");
 }
 
-void expect_equal(const Frame& cpu, const Frame& gl)
-{
+/// What differs between two frames.
+struct Difference {
+    std::array<int, pass_count> hits{}, triangles{}, counters{};  // pixels
+    int colours = 0;                                              // pixels beyond the tolerance, or NaN
+};
+
+Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
+    Difference difference;
+    for (std::size_t i = 0; i < a.colour.pixels.size(); ++i) {
+        for (std::size_t pass = 0; pass < pass_count; ++pass) {
+            const Hit& p = a.layers[pass].hit.pixels[i];
+            const Hit& q = b.layers[pass].hit.pixels[i];
+            difference.hits[pass] += !bit_equal(p, q);
+            difference.triangles[pass] += p.triangle != q.triangle;
+            difference.counters[pass] += !(a.layers[pass].counters.pixels[i] == b.layers[pass].counters.pixels[i]);
+        }
+        const Vec4 d = glm::abs(a.colour.pixels[i] - b.colour.pixels[i]);
+        difference.colours += !(d.x <= tolerance && d.y <= tolerance && d.z <= tolerance && d.w <= tolerance);
+    }
+    return difference;
+}
+
+/// llvmpipe divides and takes roots as C++ does. GPUs may be 2.5 ulp off in a division (GLSL 4.60, section 4.7.1), which
+/// turns a ray at an edge to the neighbour now and then, and mirror rays a little more often.
+void expect_equal(const Frame& cpu, const Frame& gl, bool software) {
     ASSERT_EQ(cpu.width, gl.width);
     ASSERT_EQ(cpu.height, gl.height);
+    const Difference d = compare_frames(cpu, gl, software ? colour_tolerance : 1e-3f);
+    const int few = software ? 0 : width * height / 50;
     for (std::size_t pass = 0; pass < pass_count; ++pass) {
-        int hits = 0, counters = 0;
-        for (std::size_t i = 0; i < cpu.colour.pixels.size(); ++i) {
-            hits += !bit_equal(cpu.layers[pass].hit.pixels[i], gl.layers[pass].hit.pixels[i]);
-            counters += !(cpu.layers[pass].counters.pixels[i] == gl.layers[pass].counters.pixels[i]);
+        if (software) {
+            EXPECT_EQ(d.hits[pass], 0) << "hits of " << pass_names[pass];
         }
-        EXPECT_EQ(hits, 0) << "hits of " << pass_names[pass];
-        EXPECT_EQ(counters, 0) << "counters of " << pass_names[pass];
+        EXPECT_LE(d.triangles[pass], few) << "triangles of " << pass_names[pass];
+        EXPECT_LE(d.counters[pass], few) << "counters of " << pass_names[pass];
     }
-    float worst = 0.0f;
-    for (std::size_t i = 0; i < cpu.colour.pixels.size(); ++i) {
-        const Vec4 d = glm::abs(cpu.colour.pixels[i] - gl.colour.pixels[i]);
-        for (const float x : {d.x, d.y, d.z, d.w}) worst = x <= worst ? worst : x; // NaN becomes the worst
-    }
-    EXPECT_LE(worst, colour_tolerance);
+    EXPECT_LE(d.colours, few);
 }
 
 class EqualityGl : public testing::TestWithParam<Case> {
-protected:
-    void SetUp() override
-    {
+  protected:
+    void SetUp() override {
         try {
             context = Context::create(GetParam().context);
         } catch (const ContextError& error) {
@@ -73,8 +103,7 @@ protected:
         config.trace.leaf_lists = GetParam().lists;
     }
 
-    void compare(const FlatScene& scene, const BuildConfig& build)
-    {
+    void compare(const FlatScene& scene, const BuildConfig& build) {
         const KdTree tree = build_tree(scene.triangles, build);
         const PinholeCamera camera = pinhole(scene.camera, width, height);
         Frame expected(width, height);
@@ -82,7 +111,7 @@ protected:
         GlTracer tracer(*context);
         tracer.upload(scene, tree);
         (void)tracer.draw(config, camera, width, height, whole(width, height));
-        expect_equal(expected, tracer.read_frame(config.trace));
+        expect_equal(expected, tracer.read_frame(config.trace), context->is_software());
     }
 
     std::unique_ptr<Context> context;
@@ -90,44 +119,45 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(All, EqualityGl, testing::ValuesIn(all_cases()), case_name);
 
-TEST_P(EqualityGl, OneBounce)
-{
-    compare(test::mirror_scene(500, 7), {});
+class EqualityOfPassesGl : public EqualityGl {};
+INSTANTIATE_TEST_SUITE_P(Two, EqualityOfPassesGl, testing::ValuesIn(two_cases()), case_name);
+
+class EqualityOfWalksGl : public EqualityGl {};
+INSTANTIATE_TEST_SUITE_P(Each, EqualityOfWalksGl, testing::ValuesIn(each_traversal()), case_name);
+
+TEST_P(EqualityGl, OneBounce) {
+    const bool naive = config.trace.traversal == Traversal::naive;
+    compare(test::mirror_scene(naive ? 60 : 500, 7), {});
 }
 
-TEST_P(EqualityGl, ThreeBouncesAsPublished)
-{
+TEST_P(EqualityOfPassesGl, ThreeBouncesAsPublished) {
     config.trace.reflection_depth = 3;
     config.early_z = EarlyZ::as_published;
     compare(test::mirror_scene(100, 8), {});
 }
 
-TEST_P(EqualityGl, ThreeBouncesCulled)
-{
+TEST_P(EqualityOfPassesGl, ThreeBouncesCulled) {
     config.trace.reflection_depth = 3;
     compare(test::mirror_scene(100, 8), {});
 }
 
-TEST_P(EqualityGl, LargeLeavesWithoutShadows)
-{
+TEST_P(EqualityOfPassesGl, LargeLeavesWithoutShadows) {
     config.trace.shadows = false;
     compare(test::mirror_scene(300, 9), {.leaf_size = 16});
 }
 
-TEST_P(EqualityGl, AxisAlignedCity)
-{
+TEST_P(EqualityOfWalksGl, AxisAlignedCity) {
     // Split planes lie in the triangles, and the camera looks along an axis from inside a lattice plane.
     FlatScene scene = test::scene_of(test::voxel_city(4));
     scene.camera = {Vec3(2, 2, 12), Vec3(2, 2, 0), Vec3(0, 1, 0), 40.0f};
     compare(scene, {});
 }
 
-TEST_P(EqualityGl, EmptyScene)
-{
+TEST_P(EqualityOfWalksGl, EmptyScene) {
     FlatScene scene = test::scene_of({});
     scene.camera = {};
     compare(scene, {});
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

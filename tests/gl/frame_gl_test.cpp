@@ -11,9 +11,8 @@ using test::ContextTest;
 using test::whole;
 
 class FrameGl : public ContextTest {
-protected:
-    void SetUp() override
-    {
+  protected:
+    void SetUp() override {
         ContextTest::SetUp();
         if (!context) return;
         scene = test::mirror_scene(80, 5);
@@ -23,12 +22,10 @@ protected:
     }
     void TearDown() override { tracer.reset(); }
 
-    GlFrameReport draw(int width, int height, Tile tile)
-    {
+    GlFrameReport draw(int width, int height, Tile tile) {
         return tracer->draw(config, pinhole(scene.camera, width, height), width, height, tile);
     }
-    Frame draw_whole(int width, int height)
-    {
+    Frame draw_whole(int width, int height) {
         (void)draw(width, height, whole(width, height));
         return tracer->read_frame(config.trace);
     }
@@ -40,8 +37,7 @@ protected:
 };
 KD_FOR_ALL_CONTEXTS(FrameGl);
 
-void expect_same(const Frame& a, const Frame& b)
-{
+void expect_same(const Frame& a, const Frame& b) {
     EXPECT_EQ(a.colour, b.colour);
     for (std::size_t pass = 0; pass < pass_count; ++pass) {
         EXPECT_TRUE(std::ranges::equal(a.layers[pass].hit.pixels, b.layers[pass].hit.pixels, bit_equal)) << pass;
@@ -51,19 +47,17 @@ void expect_same(const Frame& a, const Frame& b)
     }
 }
 
-TEST_P(FrameGl, TilesMakeTheWholeFrame)
-{
+TEST_P(FrameGl, TilesMakeTheWholeFrame) {
     for (const int depth : {1, 3}) {
         config.trace.reflection_depth = depth;
         const Frame expected = draw_whole(70, 50);
-        (void)draw_whole(8, 8); // new targets
+        (void)draw_whole(8, 8);  // new targets
         for (const Tile& tile : tiles_of(70, 50, 16)) (void)draw(70, 50, tile);
         expect_same(tracer->read_frame(config.trace), expected);
     }
 }
 
-TEST_P(FrameGl, PixelsOutsideTheTileStayUntraced)
-{
+TEST_P(FrameGl, PixelsOutsideTheTileStayUntraced) {
     (void)draw(40, 30, {10, 5, 20, 15});
     const Frame frame = tracer->read_frame(config.trace);
     for (int y = 0; y < 30; ++y)
@@ -78,8 +72,7 @@ TEST_P(FrameGl, PixelsOutsideTheTileStayUntraced)
         }
 }
 
-TEST_P(FrameGl, DrawingOverAFrameLeavesNothingOfIt)
-{
+TEST_P(FrameGl, DrawingOverAFrameLeavesNothingOfIt) {
     // The mirror fills the first picture and is absent from the second.
     const Camera sideways = scene.camera;
     scene.camera = {Vec3(0.5f, 4.0f, 0.5f), Vec3(0.5f, 0.0f, 0.5f), Vec3(0, 0, 1), 20.0f};
@@ -95,8 +88,7 @@ TEST_P(FrameGl, DrawingOverAFrameLeavesNothingOfIt)
     }
 }
 
-TEST_P(FrameGl, SurvivesEverySize)
-{
+TEST_P(FrameGl, SurvivesEverySize) {
     const std::pair<int, int> sizes[] = {{1, 1}, {3, 200}, {257, 2}, {0, 0}, {0, 5}, {64, 64}, {63, 65}};
     for (const auto& [width, height] : sizes) {
         if (width == 0) {
@@ -111,16 +103,14 @@ TEST_P(FrameGl, SurvivesEverySize)
     }
 }
 
-TEST_P(FrameGl, RefusesAnImageBeyondTheTextureSize)
-{
+TEST_P(FrameGl, RefusesAnImageBeyondTheTextureSize) {
     GLint largest = 0;
     gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     EXPECT_THROW((void)draw(largest + 1, 1, whole(1, 1)), InputError);
     EXPECT_EQ(draw_whole(16, 16).colour.at(8, 8).w, 1.0f);
 }
 
-TEST_P(FrameGl, WithoutCountersOnlyTheCountersGo)
-{
+TEST_P(FrameGl, WithoutCountersOnlyTheCountersGo) {
     const Frame counted = draw_whole(48, 32);
     config.trace.counters = false;
     Frame plain = draw_whole(48, 32);
@@ -131,15 +121,13 @@ TEST_P(FrameGl, WithoutCountersOnlyTheCountersGo)
     expect_same(plain, counted);
 }
 
-TEST_P(FrameGl, PrepareDrawsNothing)
-{
+TEST_P(FrameGl, PrepareDrawsNothing) {
     const Frame before = draw_whole(32, 24);
     tracer->prepare(config, 32, 24);
     expect_same(tracer->read_frame(config.trace), before);
 }
 
-TEST_P(FrameGl, NamesItsClock)
-{
+TEST_P(FrameGl, NamesItsClock) {
     const GlFrameReport report = draw(32, 24, whole(32, 24));
     EXPECT_EQ(report.clock, context->is_software() ? "finish + steady clock" : "timer query");
     double sum = 0;
@@ -150,8 +138,7 @@ TEST_P(FrameGl, NamesItsClock)
     EXPECT_LE(sum, report.total_ms * 1.001 + 0.01);
 }
 
-TEST_P(FrameGl, ColourTextureHoldsThePicture)
-{
+TEST_P(FrameGl, ColourTextureHoldsThePicture) {
     const Frame frame = draw_whole(20, 10);
     std::vector<Vec4> pixels(200);
     gl().BindTexture(GL_TEXTURE_2D, tracer->colour_texture());
@@ -159,8 +146,7 @@ TEST_P(FrameGl, ColourTextureHoldsThePicture)
     EXPECT_EQ(pixels, frame.colour.pixels);
 }
 
-TEST_P(FrameGl, LeavesTheStateOfOthersAlone)
-{
+TEST_P(FrameGl, LeavesTheStateOfOthersAlone) {
     gl().Viewport(1, 2, 3, 4);
     gl().Enable(GL_BLEND);
     gl().Disable(GL_DEPTH_TEST);
@@ -177,8 +163,7 @@ TEST_P(FrameGl, LeavesTheStateOfOthersAlone)
     EXPECT_FALSE(gl().IsEnabled(GL_SCISSOR_TEST));
 }
 
-TEST_P(FrameGl, MemoryIsWhatTheTablesTake)
-{
+TEST_P(FrameGl, MemoryIsWhatTheTablesTake) {
     (void)draw_whole(32, 16);
     const auto n = std::int64_t(scene.triangles.size());
     GlMemory memory = tracer->memory();
@@ -197,8 +182,7 @@ TEST_P(FrameGl, MemoryIsWhatTheTablesTake)
     EXPECT_EQ(memory.triangles, 48 * n + 48 * std::int64_t(tree.references.size()));
 }
 
-TEST_P(FrameGl, LeavesOutAttributesThatAreNotNeeded)
-{
+TEST_P(FrameGl, LeavesOutAttributesThatAreNotNeeded) {
     FlatScene plain = test::scene_of(test::random_soup(20, 0.2f, 1));
     const KdTree plain_tree = build_tree(plain.triangles, {});
     tracer->upload(plain, plain_tree);
@@ -209,8 +193,7 @@ TEST_P(FrameGl, LeavesOutAttributesThatAreNotNeeded)
     tracer->upload(scene, tree);
 }
 
-TEST_P(FrameGl, AFailedUploadKeepsTheLastOne)
-{
+TEST_P(FrameGl, AFailedUploadKeepsTheLastOne) {
     const Frame before = draw_whole(24, 24);
     KdTree wrong;
     wrong.nodes[0].link = (1 << 24) + 2;
@@ -218,8 +201,7 @@ TEST_P(FrameGl, AFailedUploadKeepsTheLastOne)
     expect_same(draw_whole(24, 24), before);
 }
 
-TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget)
-{
+TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget) {
     const FlatScene large = test::scene_of(test::random_soup(60001, 0.01f, 1));
     KdTree leaf;
     leaf.nodes[0].count = 60001;
@@ -243,13 +225,12 @@ TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget)
     tracer->upload(scene, tree);
 }
 
-TEST_P(FrameGl, NothingUploadedIsAnError)
-{
+TEST_P(FrameGl, NothingUploadedIsAnError) {
     GlTracer fresh(*context);
     EXPECT_THROW((void)fresh.draw(config, PinholeCamera{}, 4, 4, whole(4, 4)), GlError);
     EXPECT_EQ(fresh.colour_texture(), 0u);
     EXPECT_TRUE(fresh.read_frame(config.trace).colour.empty());
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

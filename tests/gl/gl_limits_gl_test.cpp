@@ -11,8 +11,7 @@ namespace kd {
 namespace {
 
 template <class Check>
-std::string message_of(const Check& check)
-{
+std::string message_of(const Check& check) {
     try {
         check();
     } catch (const InputError& error) {
@@ -23,8 +22,7 @@ std::string message_of(const Check& check)
 
 constexpr GlLimits small{1000, 64};
 
-TEST(GlLimits, CountWhatAnUploadTakes)
-{
+TEST(GlLimits, CountWhatAnUploadTakes) {
     const FlatScene scene = test::mirror_scene(10, 1);
     const KdTree tree;
     const UploadSizes sizes = upload_sizes(scene, tree);
@@ -35,24 +33,24 @@ TEST(GlLimits, CountWhatAnUploadTakes)
     EXPECT_EQ(sizes.table_texels, 3 * 3 + 4 * 2 + 1);
 }
 
-TEST(GlLimits, LetThroughWhatJustFits)
-{
-    EXPECT_EQ(message_of([] { check_upload({.nodes = 1000, .references = 1000, .triangles = 333, .texels = 1000}, small); }),
-              "accepted");
+TEST(GlLimits, LetThroughWhatJustFits) {
+    EXPECT_EQ(
+        message_of([] { check_upload({.nodes = 1000, .references = 1000, .triangles = 333, .texels = 1000}, small); }),
+        "accepted");
 }
 
-TEST(GlLimits, RefuseWithTheNumbers)
-{
-    EXPECT_EQ(message_of([] { check_upload({.triangles = 334}, small); }),
-              "scene on OpenGL: the triangles take 1002 texels, a texture buffer holds 1000 here; use a smaller scene or "
-              "--tracer cpu");
-    EXPECT_NE(message_of([] { check_upload({.nodes = 1001}, small); }).find("nodes take 1001 texels"), std::string::npos);
+TEST(GlLimits, RefuseWithTheNumbers) {
+    EXPECT_EQ(
+        message_of([] { check_upload({.triangles = 334}, small); }),
+        "scene on OpenGL: the triangles take 1002 texels, a texture buffer holds 1000 here; use a smaller scene or "
+        "--tracer cpu");
+    EXPECT_NE(message_of([] { check_upload({.nodes = 1001}, small); }).find("nodes take 1001 texels"),
+              std::string::npos);
     EXPECT_NE(message_of([] { check_upload({.references = 1001}, small); }).find("1001 texels"), std::string::npos);
     EXPECT_NE(message_of([] { check_upload({.texels = 1001}, small); }).find("images take 1001"), std::string::npos);
 }
 
-TEST(GlLimits, RefuseNumbersThatFloatsCannotHold)
-{
+TEST(GlLimits, RefuseNumbersThatFloatsCannotHold) {
     static constexpr GlLimits large{std::int64_t(1) << 40, 64};
     constexpr std::int64_t limit = std::int64_t(1) << 24;
     EXPECT_EQ(message_of([] { check_upload({.nodes = limit, .references = limit}, large); }), "accepted");
@@ -61,8 +59,7 @@ TEST(GlLimits, RefuseNumbersThatFloatsCannotHold)
               std::string::npos);
 }
 
-TEST(GlLimits, DependOnTheConfiguration)
-{
+TEST(GlLimits, DependOnTheConfiguration) {
     TraceConfig config;
     const UploadSizes sizes{.nodes = 600, .references = 400, .triangles = 300};
     EXPECT_EQ(message_of([&] { check_config(sizes, config, small); }), "accepted");
@@ -74,28 +71,26 @@ TEST(GlLimits, DependOnTheConfiguration)
               std::string::npos);
 }
 
-TEST(GlLimits, BoundTheNaiveTraversalByTheLoopBudget)
-{
+TEST(GlLimits, BoundTheNaiveTraversalByTheLoopBudget) {
     const TraceConfig lit{.traversal = Traversal::naive};
     const TraceConfig unlit{.traversal = Traversal::naive, .shadows = false};
     const UploadSizes sizes{.triangles = 30001, .lights = 2};
     EXPECT_EQ(message_of([&] { check_config(sizes, unlit, small); }), "accepted");
-    EXPECT_EQ(message_of([&] { check_config(sizes, lit, small); }),
-              "traversal naive on OpenGL: 30001 triangles times 2 rays per shader call exceed 60000 loop steps; use another "
-              "traversal, --tracer cpu or a smaller scene");
+    EXPECT_EQ(
+        message_of([&] { check_config(sizes, lit, small); }),
+        "traversal naive on OpenGL: 30001 triangles times 2 rays per shader call exceed 60000 loop steps; use another "
+        "traversal, --tracer cpu or a smaller scene");
     EXPECT_EQ(message_of([&] { check_config({.triangles = 60000}, lit, small); }), "accepted");
     EXPECT_NE(message_of([&] { check_config({.triangles = 60001}, unlit, small); }), "accepted");
 }
 
-TEST(GlLimits, BoundTheImage)
-{
+TEST(GlLimits, BoundTheImage) {
     EXPECT_EQ(message_of([] { check_image(64, 64, small); }), "accepted");
     EXPECT_EQ(message_of([] { check_image(65, 2, small); }),
               "image of 65x2 pixels: a texture holds 64x64 here; ask for a smaller one");
 }
 
-TEST(PassPrograms, LeaveOutWhatASceneDoesNotNeed)
-{
+TEST(PassPrograms, LeaveOutWhatASceneDoesNotNeed) {
     ProgramSettings bare;
     bare.trace.counters = false;
     const ProgramKey key = program_key(Step::shade_prim, bare);
@@ -107,16 +102,14 @@ TEST(PassPrograms, LeaveOutWhatASceneDoesNotNeed)
     EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_STACK_SIZE"), "1");
 }
 
-TEST(PassPrograms, ShareRtPrimAcrossShadingSettings)
-{
+TEST(PassPrograms, ShareRtPrimAcrossShadingSettings) {
     ProgramSettings plain, rich;
     rich.needs = {.textures = true, .normals = true, .shadows = true, .reflections = true, .bounces = 3};
     EXPECT_EQ(program_key(Step::rt_prim, plain), program_key(Step::rt_prim, rich));
     EXPECT_NE(program_key(Step::shade_prim, plain), program_key(Step::shade_prim, rich));
 }
 
-TEST(PassPrograms, DrawLaterQuadsBetweenTheDepthsOfRtPrim)
-{
+TEST(PassPrograms, DrawLaterQuadsBetweenTheDepthsOfRtPrim) {
     EXPECT_EQ(depth_rule(Step::rt_prim, EarlyZ::working).function, GLenum(GL_ALWAYS));
     for (const Step step : {Step::shade_prim, Step::rt_refl, Step::shade_refl}) {
         const DepthRule working = depth_rule(step, EarlyZ::working);
@@ -128,5 +121,5 @@ TEST(PassPrograms, DrawLaterQuadsBetweenTheDepthsOfRtPrim)
     }
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -12,9 +12,8 @@ namespace kd::test {
 
 /// A test that runs once per kind of context; skipped, saying why, where this machine gives none of that kind.
 class ContextTest : public testing::TestWithParam<ContextKind> {
-protected:
-    void SetUp() override
-    {
+  protected:
+    void SetUp() override {
         try {
             context = Context::create(GetParam());
         } catch (const ContextError& error) {
@@ -27,17 +26,13 @@ protected:
     std::unique_ptr<Context> context;
 };
 
-inline std::string context_name(const testing::TestParamInfo<ContextKind>& test)
-{
+inline std::string context_name(const testing::TestParamInfo<ContextKind>& test) {
     return std::string(name_of(test.param));
 }
 
 #define KD_FOR_ALL_CONTEXTS(Suite)                                                                                     \
     INSTANTIATE_TEST_SUITE_P(Contexts, Suite, testing::Values(ContextKind::osmesa, ContextKind::egl), context_name)
 
-inline Tile whole(int width, int height)
-{
-    return {0, 0, width, height};
-}
+inline Tile whole(int width, int height) { return {0, 0, width, height}; }
 
-} // namespace kd::test
+}  // namespace kd::test

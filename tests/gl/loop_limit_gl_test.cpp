@@ -31,14 +31,13 @@ void main()
 )";
 
 class LoopLimitGl : public ContextTest {
-protected:
+  protected:
     struct Outcome {
         int rounds;
         uint exit_reason;
     };
 
-    Outcome run(int rounds)
-    {
+    Outcome run(int rounds) {
         ProgramCache programs(gl(), [built_in = default_shader_reader()](const std::string& path) {
             return path == "loops.frag" ? std::optional<std::string>(looping_shader) : built_in(path);
         });
@@ -74,23 +73,21 @@ protected:
 };
 KD_FOR_ALL_CONTEXTS(LoopLimitGl);
 
-TEST_P(LoopLimitGl, AFullBudgetIsNoLimit)
-{
+TEST_P(LoopLimitGl, AFullBudgetIsNoLimit) {
     const Outcome outcome = run(60000);
     EXPECT_EQ(outcome.rounds, 60000);
     EXPECT_EQ(outcome.exit_reason, uint(KD_EXIT_MISS));
 }
 
-TEST_P(LoopLimitGl, AnEndedLoopIsTold)
-{
+TEST_P(LoopLimitGl, AnEndedLoopIsTold) {
     const Outcome outcome = run(100000);
     if (outcome.rounds == 100000) {
-        EXPECT_EQ(outcome.exit_reason, uint(KD_EXIT_MISS)); // this driver lets loops run
+        EXPECT_EQ(outcome.exit_reason, uint(KD_EXIT_MISS));  // this driver lets loops run
     } else {
         EXPECT_LT(outcome.rounds, 100000);
         EXPECT_EQ(outcome.exit_reason, uint(KD_EXIT_STEP_CAP));
     }
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

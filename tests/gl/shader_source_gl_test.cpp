@@ -12,8 +12,7 @@
 namespace kd {
 namespace {
 
-ShaderReader reader_of(std::map<std::string, std::string> files)
-{
+ShaderReader reader_of(std::map<std::string, std::string> files) {
     return [files = std::move(files)](const std::string& path) -> std::optional<std::string> {
         const auto found = files.find(path);
         if (found == files.end()) return std::nullopt;
@@ -21,8 +20,7 @@ ShaderReader reader_of(std::map<std::string, std::string> files)
     };
 }
 
-std::string message_of(const std::string& entry, std::map<std::string, std::string> files)
-{
+std::string message_of(const std::string& entry, std::map<std::string, std::string> files) {
     try {
         (void)resolve_shader(entry, {}, reader_of(std::move(files)));
     } catch (const ShaderError& error) {
@@ -31,8 +29,7 @@ std::string message_of(const std::string& entry, std::map<std::string, std::stri
     return "no error";
 }
 
-TEST(ShaderSource, PutsVersionAndSettingsFirst)
-{
+TEST(ShaderSource, PutsVersionAndSettingsFirst) {
     const ShaderSource source =
         resolve_shader("a.frag", {{"TWO", "2"}, {"ONE", "1"}}, reader_of({{"a.frag", "void main() {}\n"}}));
     EXPECT_EQ(source.text, "#version 430 core\n#define ONE 1\n#define TWO 2\nvoid main() {}\n");
@@ -40,8 +37,7 @@ TEST(ShaderSource, PutsVersionAndSettingsFirst)
     EXPECT_EQ(source.locate(3), "settings of a.frag:3");
 }
 
-TEST(ShaderSource, IncludesBesideTheFileBeforeTheRoot)
-{
+TEST(ShaderSource, IncludesBesideTheFileBeforeTheRoot) {
     const ShaderSource source = resolve_shader("x/a.frag", {},
                                                reader_of({{"x/a.frag", "one\n#include \"b.glsl\"\nthree"},
                                                           {"x/b.glsl", "beside\n#include \"y/c.glsl\"\n"},
@@ -55,29 +51,25 @@ TEST(ShaderSource, IncludesBesideTheFileBeforeTheRoot)
     EXPECT_EQ(source.lines.size(), 6u);
 }
 
-TEST(ShaderSource, NamesThePlaceOfAMissingInclude)
-{
+TEST(ShaderSource, NamesThePlaceOfAMissingInclude) {
     EXPECT_EQ(message_of("a.frag", {{"a.frag", "\n\n#include \"nowhere.glsl\"\n"}}),
               "shaders/a.frag:3: there is no \"nowhere.glsl\", neither beside this file nor in shaders/");
     EXPECT_EQ(message_of("a.frag", {}), "there is no shader file \"a.frag\" in shaders/");
 }
 
-TEST(ShaderSource, RefusesCycles)
-{
+TEST(ShaderSource, RefusesCycles) {
     EXPECT_EQ(message_of("a", {{"a", "#include \"b\""}, {"b", "\n#include \"c\""}, {"c", "#include \"a\""}}),
               "shaders/c:1: \"a\" includes itself");
     EXPECT_EQ(message_of("a", {{"a", "#include \"a\""}}), "shaders/a:1: \"a\" includes itself");
 }
 
-TEST(ShaderSource, MayIncludeAFileTwiceInARow)
-{
+TEST(ShaderSource, MayIncludeAFileTwiceInARow) {
     const ShaderSource source =
         resolve_shader("a", {}, reader_of({{"a", "#include \"b\"\n#include \"b\"\n"}, {"b", "x"}}));
     EXPECT_EQ(source.text, "#version 430 core\nx\nx\n");
 }
 
-TEST(ShaderSource, MapsTheLogsOfDrivers)
-{
+TEST(ShaderSource, MapsTheLogsOfDrivers) {
     const ShaderSource source =
         resolve_shader("a.frag", {{"N", "1"}}, reader_of({{"a.frag", "one\n#include \"b\"\n"}, {"b", "two\nthree\n"}}));
     EXPECT_EQ(source.map_log("0:3(7): error: no\n0:5(12): warning: 0:1 is a ratio"),
@@ -89,8 +81,7 @@ TEST(ShaderSource, MapsTheLogsOfDrivers)
     EXPECT_EQ(source.map_log(""), "");
 }
 
-TEST(ShaderSource, ResolvesEveryEntryPointOfTheProject)
-{
+TEST(ShaderSource, ResolvesEveryEntryPointOfTheProject) {
     int entries = 0;
     for (const ShaderFile& file : shader_files()) {
         if (!file.path.ends_with(".frag") && !file.path.ends_with(".vert")) continue;
@@ -102,8 +93,7 @@ TEST(ShaderSource, ResolvesEveryEntryPointOfTheProject)
     EXPECT_GE(entries, 7);
 }
 
-TEST(ShaderSource, ReadsAFolderInstead)
-{
+TEST(ShaderSource, ReadsAFolderInstead) {
     const auto folder = std::filesystem::path(KD_TEST_OUTPUT_DIR) / "shader_folder";
     std::filesystem::create_directories(folder / "fragment");
     std::ofstream(folder / "fragment" / "mine.frag") << "from disk";
@@ -116,5 +106,5 @@ TEST(ShaderSource, ReadsAFolderInstead)
     EXPECT_NE(default_shader_reader()("fragment/rt_prim.frag"), std::nullopt);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

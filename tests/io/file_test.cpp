@@ -124,11 +124,16 @@ TEST(File, ReadingNamesPathAndReason) {
 TEST(Printable, KeepsOneHarmlessLine) {
     EXPECT_EQ(printable("plain text"), "plain text");
     EXPECT_EQ(printable("a\nb\tc\x1b[31m\x7f"), "a?b?c?[31m?");
-    EXPECT_EQ(printable("b\xc2\x9b" "31m"), "b?31m"); // the one-character form of escape [
-    EXPECT_EQ(printable("Gr\xc3\xbc\xc3\x9f" "e"), "Gr\xc3\xbc\xc3\x9f" "e");
+    EXPECT_EQ(printable("b\xc2\x9b"
+                        "31m"),
+              "b?31m");  // the one-character form of escape [
+    EXPECT_EQ(printable("Gr\xc3\xbc\xc3\x9f"
+                        "e"),
+              "Gr\xc3\xbc\xc3\x9f"
+              "e");
     EXPECT_EQ(printable("123456789", 4), "1234...");
     EXPECT_EQ(printable("123\xc3\xbc", 4), "123...") << "a character must not be cut in half";
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -109,5 +109,5 @@ TEST(FrameExr, FailsInOneLine) {
     EXPECT_EQ(count_files(folder), 0);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

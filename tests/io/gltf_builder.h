@@ -61,8 +61,8 @@ struct GltfBuilder {
     [[nodiscard]] std::string text() const {
         nlohmann::json whole = json;
         if (!bytes.empty() && !whole.contains("buffers")) {
-            whole["buffers"] = {{{"byteLength", bytes.size()},
-                                 {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+            whole["buffers"] = {
+                {{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
         }
         return whole.dump();
     }
@@ -119,4 +119,4 @@ inline bool has_note(const Scene& scene, const std::string& part) {
     return false;
 }
 
-} // namespace kd
+}  // namespace kd

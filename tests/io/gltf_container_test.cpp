@@ -40,7 +40,8 @@ TEST(Glb, LoadsLikeText) {
 }
 
 TEST(Glb, TrailingBytesAreIgnoredWithANote) {
-    EXPECT_TRUE(has_note(load_text(one_triangle().glb() + "more", "scene.glb"), "ignored bytes after the end of the GLB"));
+    EXPECT_TRUE(
+        has_note(load_text(one_triangle().glb() + "more", "scene.glb"), "ignored bytes after the end of the GLB"));
 }
 
 TEST(Glb, EveryLengthIsChecked) {
@@ -66,5 +67,5 @@ TEST(Glb, EveryLengthIsChecked) {
     EXPECT_TRUE(holds(error_with(0, "GLTF"), "not valid JSON"));
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

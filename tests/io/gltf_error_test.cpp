@@ -10,7 +10,7 @@ struct Fault {
     const char* name;
     const char* pointer;
     json value;
-    const char* error; // after "scene.gltf: "
+    const char* error;  // after "scene.gltf: "
 };
 
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
@@ -40,7 +40,8 @@ TEST_P(GltfFault, IsToldInOneLine) {
     const Fault& fault = GetParam();
     json document = good_document();
     ASSERT_EQ(load_error(document.dump()), "") << "the file must be good before it is broken";
-    const json operation = {{"op", fault.value.is_null() ? "remove" : "add"}, {"path", fault.pointer}, {"value", fault.value}};
+    const json operation = {
+        {"op", fault.value.is_null() ? "remove" : "add"}, {"path", fault.pointer}, {"value", fault.value}};
     document = document.patch(json::array({operation}));
     const std::string error = load_error(document.dump());
     EXPECT_TRUE(error.starts_with(std::string("scene.gltf: ") + fault.error)) << error;
@@ -60,39 +61,44 @@ INSTANTIATE_TEST_SUITE_P(
               "/extensionsRequired/1: extension KHR_draco_mesh_compression is not supported"},
         Fault{"Meshopt", "/extensionsRequired", json::array({"EXT_meshopt_compression"}),
               "/extensionsRequired/0: extension EXT_meshopt_compression is not supported"},
-        Fault{"TerminalEscape", "/extensionsRequired", json::array({"\x1b[2J\n"}), "/extensionsRequired/0: extension ?[2J? "},
+        Fault{"TerminalEscape", "/extensionsRequired", json::array({"\x1b[2J\n"}),
+              "/extensionsRequired/0: extension ?[2J? "},
         Fault{"ExtensionsNoList", "/extensionsRequired", json::object(), "/extensionsRequired: must be a list"}),
     name_of_fault);
 
 INSTANTIATE_TEST_SUITE_P(
     Structure, GltfFault,
-    testing::Values(
-        Fault{"MeshesNoList", "/meshes", json::object(), "/meshes: must be a list"},
-        Fault{"MeshNoObject", "/meshes/0", 5, "/meshes/0: must be an object"},
-        Fault{"NoPrimitives", "/meshes/0/primitives", nothing, "/meshes/0/primitives: missing"},
-        Fault{"AttributesNoObject", "/meshes/0/primitives/0/attributes", json::array(),
-              "/meshes/0/primitives/0/attributes: must be an object"},
-        Fault{"NoSuchAccessor", "/meshes/0/primitives/0/attributes/POSITION", 9,
-              "/meshes/0/primitives/0/attributes/POSITION: 9 is not one of the 3 accessors"},
-        Fault{"NegativeAccessor", "/meshes/0/primitives/0/indices", -1,
-              "/meshes/0/primitives/0/indices: -1 is not one of the 3 accessors"},
-        Fault{"HugeAccessor", "/meshes/0/primitives/0/indices", 4294967296,
-              "/meshes/0/primitives/0/indices: 4294967296 is not one of the 3 accessors"},
-        Fault{"FractionalAccessor", "/meshes/0/primitives/0/indices", 1.5, "/meshes/0/primitives/0/indices: this is not"},
-        Fault{"NoMode", "/meshes/0/primitives/0/mode", 7, "/meshes/0/primitives/0/mode: 7 is no primitive mode (0 to 6)"},
-        Fault{"OddAttributeName", "/meshes/0/primitives/0/attributes/a~1b~0\n", -1,
-              "/meshes/0/primitives/0/attributes/a~1b~0?: -1 is not"},
-        Fault{"NoSuchMesh", "/nodes/0/mesh", 1, "/nodes/0/mesh: 1 is not one of the 1 meshes"},
-        Fault{"NoSuchChild", "/nodes/0/children", json::array({1}), "/nodes/0/children/0: 1 is not one of the 1 nodes"},
-        Fault{"OwnChild", "/nodes/0/children", json::array({0}), "/nodes/0: reached twice"},
-        Fault{"ShortMatrix", "/nodes/0/matrix", json::array({1, 2, 3}), "/nodes/0/matrix: must be a list of 16 numbers"},
-        Fault{"TextInVector", "/nodes/0/scale", json::array({1, "2", 3}), "/nodes/0/scale: must be a list of 3 numbers"},
-        Fault{"NoSuchScene", "/scene", 1, "/scene: 1 is not one of the 1 scenes"},
-        Fault{"NoSuchRoot", "/scenes/0/nodes/0", 2, "/scenes/0/nodes/0: 2 is not one of the 1 nodes"},
-        Fault{"RootTwice", "/scenes/0/nodes", json::array({0, 0}), "/nodes/0: reached twice"},
-        Fault{"NoSuchCamera", "/nodes/0/camera", 1, "/nodes/0/camera: 1 is not one of the 1 cameras"},
-        Fault{"ShortColour", "/materials/0/pbrMetallicRoughness", json{{"baseColorFactor", {1, 1, 1}}},
-              "/materials/0/pbrMetallicRoughness/baseColorFactor: must be a list of 4 numbers"}),
+    testing::Values(Fault{"MeshesNoList", "/meshes", json::object(), "/meshes: must be a list"},
+                    Fault{"MeshNoObject", "/meshes/0", 5, "/meshes/0: must be an object"},
+                    Fault{"NoPrimitives", "/meshes/0/primitives", nothing, "/meshes/0/primitives: missing"},
+                    Fault{"AttributesNoObject", "/meshes/0/primitives/0/attributes", json::array(),
+                          "/meshes/0/primitives/0/attributes: must be an object"},
+                    Fault{"NoSuchAccessor", "/meshes/0/primitives/0/attributes/POSITION", 9,
+                          "/meshes/0/primitives/0/attributes/POSITION: 9 is not one of the 3 accessors"},
+                    Fault{"NegativeAccessor", "/meshes/0/primitives/0/indices", -1,
+                          "/meshes/0/primitives/0/indices: -1 is not one of the 3 accessors"},
+                    Fault{"HugeAccessor", "/meshes/0/primitives/0/indices", 4294967296,
+                          "/meshes/0/primitives/0/indices: 4294967296 is not one of the 3 accessors"},
+                    Fault{"FractionalAccessor", "/meshes/0/primitives/0/indices", 1.5,
+                          "/meshes/0/primitives/0/indices: this is not"},
+                    Fault{"NoMode", "/meshes/0/primitives/0/mode", 7,
+                          "/meshes/0/primitives/0/mode: 7 is no primitive mode (0 to 6)"},
+                    Fault{"OddAttributeName", "/meshes/0/primitives/0/attributes/a~1b~0\n", -1,
+                          "/meshes/0/primitives/0/attributes/a~1b~0?: -1 is not"},
+                    Fault{"NoSuchMesh", "/nodes/0/mesh", 1, "/nodes/0/mesh: 1 is not one of the 1 meshes"},
+                    Fault{"NoSuchChild", "/nodes/0/children", json::array({1}),
+                          "/nodes/0/children/0: 1 is not one of the 1 nodes"},
+                    Fault{"OwnChild", "/nodes/0/children", json::array({0}), "/nodes/0: reached twice"},
+                    Fault{"ShortMatrix", "/nodes/0/matrix", json::array({1, 2, 3}),
+                          "/nodes/0/matrix: must be a list of 16 numbers"},
+                    Fault{"TextInVector", "/nodes/0/scale", json::array({1, "2", 3}),
+                          "/nodes/0/scale: must be a list of 3 numbers"},
+                    Fault{"NoSuchScene", "/scene", 1, "/scene: 1 is not one of the 1 scenes"},
+                    Fault{"NoSuchRoot", "/scenes/0/nodes/0", 2, "/scenes/0/nodes/0: 2 is not one of the 1 nodes"},
+                    Fault{"RootTwice", "/scenes/0/nodes", json::array({0, 0}), "/nodes/0: reached twice"},
+                    Fault{"NoSuchCamera", "/nodes/0/camera", 1, "/nodes/0/camera: 1 is not one of the 1 cameras"},
+                    Fault{"ShortColour", "/materials/0/pbrMetallicRoughness", json{{"baseColorFactor", {1, 1, 1}}},
+                          "/materials/0/pbrMetallicRoughness/baseColorFactor: must be a list of 4 numbers"}),
     name_of_fault);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -106,13 +112,15 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoBufferUri", "/buffers/0/uri", nothing, "/buffers/0/uri: missing"},
         Fault{"BadBase64", "/buffers/0/uri", "data:application/octet-stream;base64,?*?*",
               "/buffers/0/uri: 'data:application/octet-stream;base64,?*?*' cannot be decoded"},
-        Fault{"OtherData", "/buffers/0/uri", "data:application/x-other,abc", "/buffers/0/uri: 'data:application/x-other,abc'"},
+        Fault{"OtherData", "/buffers/0/uri", "data:application/x-other,abc",
+              "/buffers/0/uri: 'data:application/x-other,abc'"},
         Fault{"MissingFile", "/buffers/0/uri", "none.bin", "/buffers/0/uri: cannot read "},
         Fault{"ParentFolder", "/buffers/0/uri", "../../etc/passwd",
               "/buffers/0/uri: '../../etc/passwd' leads out of the scene's folder"},
         Fault{"HiddenParent", "/buffers/0/uri", "a/%2e%2E/%2e./x", "/buffers/0/uri: 'a/%2e%2E/%2e./x' leads out of"},
         Fault{"Absolute", "/buffers/0/uri", "/etc/passwd", "/buffers/0/uri: '/etc/passwd' an absolute path"},
-        Fault{"Web", "/buffers/0/uri", "http://example.org/a.bin", "/buffers/0/uri: 'http://example.org/a.bin' not a file"},
+        Fault{"Web", "/buffers/0/uri", "http://example.org/a.bin",
+              "/buffers/0/uri: 'http://example.org/a.bin' not a file"},
         Fault{"FileUri", "/buffers/0/uri", "FILE:///etc/passwd", "/buffers/0/uri: 'FILE:///etc/passwd' not a file"},
         Fault{"Drive", "/buffers/0/uri", "C:/x.bin", "/buffers/0/uri: 'C:/x.bin' not a file"},
         Fault{"Backslash", "/buffers/0/uri", "..\\x.bin", "/buffers/0/uri: '..\\x.bin' holds a backslash"},
@@ -120,20 +128,23 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"EscapedNul", "/buffers/0/uri", "a%00b", "/buffers/0/uri: 'a%00b' holds a NUL"},
         Fault{"ImageOutside", "/images/0/uri", "../x.png", "/images/0/uri: '../x.png' leads out of the scene's folder"},
         Fault{"ImageTwice", "/images/0/bufferView", 0, "/images/0: must have either a uri or a bufferView"},
-        Fault{"ViewWraps", "/bufferViews/0/byteOffset", 18446744073709551600u, "/bufferViews/0/byteLength: 36 bytes from"},
+        Fault{"ViewWraps", "/bufferViews/0/byteOffset", 18446744073709551600u,
+              "/bufferViews/0/byteLength: 36 bytes from"},
         Fault{"ViewTooLong", "/bufferViews/0/byteLength", 10000, "/bufferViews/0/byteLength: 10000 bytes from 0 on"},
         Fault{"ViewEmpty", "/bufferViews/0/byteLength", 0, "/bufferViews/0/byteLength: must be 1 or more"},
         Fault{"NoSuchBuffer", "/bufferViews/0/buffer", 1, "/bufferViews/0/buffer: 1 is not one of the 1 buffers"},
         Fault{"Stride1", "/bufferViews/0/byteStride", 1, "/bufferViews/0/byteStride: must be a multiple of 4"},
         Fault{"Stride256", "/bufferViews/0/byteStride", 256, "/bufferViews/0/byteStride: must be a multiple of 4"},
         Fault{"StrideTooSmall", "/bufferViews/0/byteStride", 8, "/bufferViews/0/byteStride: 8 is less than the 12"},
-        Fault{"StrideTooLarge", "/bufferViews/0/byteStride", 16, "/accessors/0/byteOffset: 3 elements, 16 bytes apart"}),
+        Fault{"StrideTooLarge", "/bufferViews/0/byteStride", 16,
+              "/accessors/0/byteOffset: 3 elements, 16 bytes apart"}),
     name_of_fault);
 
 INSTANTIATE_TEST_SUITE_P(
     Accessors, GltfFault,
     testing::Values(
-        Fault{"BadOffset", "/accessors/0/byteOffset", 4, "/accessors/0/byteOffset: 3 elements, 12 bytes apart from 4 on"},
+        Fault{"BadOffset", "/accessors/0/byteOffset", 4,
+              "/accessors/0/byteOffset: 3 elements, 12 bytes apart from 4 on"},
         Fault{"OffsetWraps", "/accessors/0/byteOffset", 18446744073709551612u, "/accessors/0/byteOffset: 3 elements"},
         Fault{"OffsetIsFraction", "/accessors/0/byteOffset", 0.5, "/accessors/0/byteOffset: must be a whole number"},
         Fault{"Misaligned", "/accessors/2/byteOffset", 1, "/accessors/2/byteOffset: "},
@@ -165,7 +176,8 @@ TEST(GltfError, FilesThatAreNoGltf) {
     EXPECT_EQ(load_error("{}\n"), "scene.gltf: /asset: missing");
     EXPECT_EQ(load_error("abc"), "scene.gltf: line 1, column 1: not valid JSON, or the file is cut off");
     EXPECT_EQ(load_error("[1, 2]"), "scene.gltf: the JSON is not an object, so this is not glTF");
-    EXPECT_EQ(load_error("{\n \"asset\": {,\n"), "scene.gltf: line 2, column 12: not valid JSON, or the file is cut off");
+    EXPECT_EQ(load_error("{\n \"asset\": {,\n"),
+              "scene.gltf: line 2, column 12: not valid JSON, or the file is cut off");
     EXPECT_TRUE(holds(load_error("{\"asset\": 1e309}"), "number that is too large"));
     EXPECT_TRUE(holds(load_error(std::string("\xff\xfe{\0\"\0", 6)), "not valid JSON")) << "UTF-16";
 }
@@ -174,11 +186,12 @@ TEST(GltfError, AByteOrderMarkDoesNoHarm) { EXPECT_EQ(load_error("\xef\xbb\xbf" 
 
 TEST(GltfError, DeepNestingDoesNotExhaustTheStack) {
     const std::size_t depth = 1'000'000;
-    const std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + std::string(depth, '[') + std::string(depth, ']') + "}";
+    const std::string deep =
+        R"({"asset":{"version":"2.0"},"extras":)" + std::string(depth, '[') + std::string(depth, ']') + "}";
     EXPECT_EQ(load_error(deep), "scene.gltf: JSON nested deeper than 256");
     const std::string brackets_in_text = R"({"asset":{"version":"2.0"},"extras":"\")" + std::string(1000, '[') + "\"}";
     EXPECT_EQ(load_error(brackets_in_text), "");
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -119,8 +119,9 @@ TEST(GltfMaterial, ReadsFactorsAndName) {
 }
 
 TEST(GltfMaterial, LimitsFactorsOutOfRange) {
-    const Scene scene = load(with_material(
-        {{"pbrMetallicRoughness", {{"baseColorFactor", {2, -1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 7}}}}));
+    const Scene scene =
+        load(with_material({{"pbrMetallicRoughness",
+                             {{"baseColorFactor", {2, -1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 7}}}}));
     expect_near(scene.materials.at(0).diffuse, {1.0, 0.0, 1.0});
     EXPECT_TRUE(has_note(scene, "limited material factors outside of 0..1"));
 }
@@ -217,9 +218,10 @@ TEST(GltfTexture, ClampedTexturesAreToldOnlyWhereItShows) {
 }
 
 TEST(GltfTexture, TheMeanStandsForAMetallicRoughnessTexture) {
-    GltfBuilder builder = with_material(
-        {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}, {"metallicRoughnessTexture", {{"index", 0}}}}}});
-    add_texture(builder, png_of({{0, 0, 255, 255}, {9, 102, 255, 255}}, 2)); // roughness 0 and 0.4, metal
+    GltfBuilder builder =
+        with_material({{"pbrMetallicRoughness",
+                        {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}, {"metallicRoughnessTexture", {{"index", 0}}}}}});
+    add_texture(builder, png_of({{0, 0, 255, 255}, {9, 102, 255, 255}}, 2));  // roughness 0 and 0.4, metal
     const Scene scene = load(builder);
     EXPECT_TRUE(scene.textures.empty());
     const Material expected = to_material(metallic_roughness(glm::dvec3(0.5), 1.0, 0.2), -1);
@@ -265,5 +267,5 @@ TEST(GltfTexture, TexturesWithoutImagesAreIgnored) {
     EXPECT_TRUE(has_note(scene, "ignored 1 texture without an image that can be shown"));
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -151,7 +151,7 @@ TEST(GltfMesh, NormalisedIntegersBecomeFractions) {
 TEST(GltfMesh, QuantizedPositionsAreReadAsTheyAre) {
     GltfBuilder builder;
     builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-    const std::vector<std::int16_t> shorts{0, 0, 0, 0, -300, 0, 7, 0, 0, 40, 1, 0}; // padded to 8 bytes
+    const std::vector<std::int16_t> shorts{0, 0, 0, 0, -300, 0, 7, 0, 0, 40, 1, 0};  // padded to 8 bytes
     builder.add_accessor(shorts, "VEC3", 5122, 3);
     builder.json["bufferViews"][0]["byteStride"] = 8;
     builder.add_primitive({{"POSITION", 0}});
@@ -274,8 +274,9 @@ TEST(GltfNode, SkinsAndMorphTargetsAreToldOnce) {
     builder.json["skins"] = {{{"joints", {0}}}};
     builder.json["animations"] = {{{"channels", nlohmann::json::array()}, {"samplers", nlohmann::json::array()}}};
     const Scene scene = load(builder);
-    EXPECT_EQ(scene.notes, (std::vector<std::string>{"shown skins, morph targets and animations in their static pose"}));
+    EXPECT_EQ(scene.notes,
+              (std::vector<std::string>{"shown skins, morph targets and animations in their static pose"}));
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

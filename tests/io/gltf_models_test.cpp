@@ -118,9 +118,10 @@ TEST(Models, TextureTransformTurnsTheArrowToItsTarget) {
     ASSERT_NE(rotation, scene.meshes.end());
     ASSERT_EQ(rotation->positions.size(), 4u);
     const Vec2 origin = rotation->texture_coordinates[0];
-    const Vec2 along_x = rotation->texture_coordinates[1] - origin; // position 0 is top left, 1 top right, 3 bottom left
+    const Vec2 along_x =
+        rotation->texture_coordinates[1] - origin;  // position 0 is top left, 1 top right, 3 bottom left
     const Vec2 along_y = rotation->texture_coordinates[3] - origin;
-    const Vec2 mark(0.5f - 0.07904822f, 0.5f + 0.5162675f);         // from the top left corner
+    const Vec2 mark(0.5f - 0.07904822f, 0.5f + 0.5162675f);  // from the top left corner
     const Vec2 uv = origin + mark.x * along_x + mark.y * along_y;
     EXPECT_NEAR(uv.x, uv.y, 1e-3);
 }
@@ -132,7 +133,8 @@ TEST(Models, BrokenOnesSayWhatIsWrong) {
     EXPECT_TRUE(holds(error_of_model("RecursiveNodes/RecursiveNodes.gltf"), "/nodes/0: reached twice"));
     EXPECT_TRUE(holds(error_of_model("draco/2CylinderEngine.gltf"),
                       "/extensionsRequired/0: extension KHR_draco_mesh_compression is not supported"));
-    EXPECT_TRUE(holds(error_of_model("IncorrectVertexArrays/Cube.gltf"), "/bufferViews/2/byteLength: 432 bytes from 504"));
+    EXPECT_TRUE(
+        holds(error_of_model("IncorrectVertexArrays/Cube.gltf"), "/bufferViews/2/byteLength: 432 bytes from 504"));
     EXPECT_TRUE(holds(error_of_model("wrongTypes/badArray.gltf"), "/meshes/0/primitives: must be a list"));
     EXPECT_TRUE(holds(error_of_model("SchemaFailures/sceneWrongType.gltf"), "/scene: "));
 }
@@ -156,5 +158,5 @@ TEST(Models, BadNumbersAreLeftToFlatten) {
     EXPECT_EQ(normals.triangles.size(), 12u);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

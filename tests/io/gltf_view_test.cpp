@@ -64,8 +64,8 @@ TEST(GltfLight, SpotsHaveTwoCones) {
 }
 
 TEST(GltfLight, BrightLightsAreDimmedAlike) {
-    const Scene scene = load(lit_by({{{"type", "directional"}, {"intensity", 100 * pi}},
-                                     {{"type", "directional"}, {"intensity", 10 * pi}}}));
+    const Scene scene = load(lit_by(
+        {{{"type", "directional"}, {"intensity", 100 * pi}}, {{"type", "directional"}, {"intensity", 10 * pi}}}));
     EXPECT_NEAR(scene.lights.at(0).colour.x, 1.0, 1e-6);
     EXPECT_NEAR(scene.lights.at(1).colour.x, 0.1, 1e-6);
     EXPECT_TRUE(has_note(scene, "dimmed all lights by a factor of 100,"));
@@ -129,7 +129,8 @@ TEST(GltfCamera, WithTheSceneBehindItStillLooksItsWay) {
 }
 
 TEST(GltfCamera, TheFirstUsableOneIsTaken) {
-    const json flat = {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0.1}}}};
+    const json flat = {{"type", "orthographic"},
+                       {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0.1}}}};
     const Scene scene = load(seen_by({flat, perspective(0), perspective(4), perspective(1), perspective(0.5)}));
     ASSERT_TRUE(scene.camera.has_value());
     EXPECT_NEAR(scene.camera->fov_y_degrees, 180 / pi, 1e-4);
@@ -137,5 +138,5 @@ TEST(GltfCamera, TheFirstUsableOneIsTaken) {
     EXPECT_TRUE(has_note(scene, "ignored 2 cameras whose angle or place cannot be used"));
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -34,7 +34,7 @@ void write_raw(const std::filesystem::path& path, int width, int height, Format 
     png_init_io(png, file.get());
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), format.depth,
                  format.colour, format.interlace, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_gAMA(png, info, 1.0); // must not change what is read
+    png_set_gAMA(png, info, 1.0);  // must not change what is read
     if (!palette.empty()) png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
     if (!alpha.empty()) png_set_tRNS(png, info, alpha.data(), static_cast<int>(alpha.size()), nullptr);
     std::vector<png_bytep> pointers;
@@ -55,7 +55,8 @@ TEST(Png, RoundTripsEveryPixel) {
 TEST(Png, KeepsText) {
     const auto path = scratch_folder() / "a.png";
     const PngText text{{"kdscope", "{\"scene\":\"ball:9000\"}"},
-                       {"Title", "Gr\xc3\xbc\xc3\x9f" "e, \xe2\x88\x9e"},
+                       {"Title", "Gr\xc3\xbc\xc3\x9f"
+                                 "e, \xe2\x88\x9e"},
                        {"Empty", ""},
                        {"Long", std::string(100'000, 'x')}};
     write_png(path, pattern(3, 3), text);
@@ -76,7 +77,8 @@ TEST(Png, RefusesBadKeywordsAndEmptyPictures) {
 
 TEST(Png, WritingNamesPathAndReason) {
     const auto folder = scratch_folder();
-    EXPECT_TRUE(holds(error_of([&] { write_png(folder / "no" / "a.png", pattern(1, 1)); }), "a.png: there is no folder"));
+    EXPECT_TRUE(
+        holds(error_of([&] { write_png(folder / "no" / "a.png", pattern(1, 1)); }), "a.png: there is no folder"));
 }
 
 TEST(Png, ReadsRgbAndGreyWithoutAlphaAsOpaque) {
@@ -136,7 +138,7 @@ TEST(Png, BrokenFilesAreInputErrors) {
         EXPECT_TRUE(holds(error, "cut.png: not a readable PNG")) << length << " bytes";
     }
     std::string wrong_sum = whole;
-    wrong_sum[20] = static_cast<char>(wrong_sum[20] ^ 1); // in the header, which its checksum covers
+    wrong_sum[20] = static_cast<char>(wrong_sum[20] ^ 1);  // in the header, which its checksum covers
     EXPECT_TRUE(holds(error_of([&] { (void)decode_png(wrong_sum, "sum.png"); }), "CRC"));
     EXPECT_TRUE(holds(error_of([&] { (void)read_png(folder / "none.png"); }), "it does not exist"));
     put_bytes(folder / "text.png", "this is no picture");
@@ -152,5 +154,5 @@ TEST(Png, RefusesPicturesThatWouldFillTheMemory) {
     EXPECT_EQ(error, "bomb.png: not a readable PNG: it has more than 2^28 pixels");
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -131,8 +131,11 @@ RC_GTEST_PROP(RaysCsv, RoundTripsBitForBit, ()) {
         return std::isnan(value) ? 0.0f : value;
     });
     const auto numbers = *rc::gen::container<std::vector<float>>(8, any_float);
-    Ray ray{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}, numbers[6],
-            std::min(numbers[7], KD_T_LIMIT), -1};
+    Ray ray{{numbers[0], numbers[1], numbers[2]},
+            {numbers[3], numbers[4], numbers[5]},
+            numbers[6],
+            std::min(numbers[7], KD_T_LIMIT),
+            -1};
     const std::vector<Ray> rays = read_text(rays_csv(std::vector<Ray>{ray}));
     RC_ASSERT(rays.size() == 1u);
     const auto bits = [](const Ray& r) {
@@ -146,5 +149,5 @@ RC_GTEST_PROP(RaysCsv, RoundTripsBitForBit, ()) {
 }
 #endif
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -15,7 +15,7 @@ namespace kd {
 inline std::filesystem::path scratch_folder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test->test_suite_name()) + "." + test->name();
-    for (char& c : name) c = c == '/' ? '_' : c; // of parametrised tests
+    for (char& c : name) c = c == '/' ? '_' : c;  // of parametrised tests
     const std::filesystem::path folder = std::filesystem::path(KD_TEST_OUTPUT_DIR) / "io" / name;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
@@ -56,4 +56,4 @@ inline testing::AssertionResult holds(const std::string& text, const std::string
     return testing::AssertionFailure() << "'" << text << "' does not hold '" << part << "'";
 }
 
-} // namespace kd
+}  // namespace kd

@@ -42,7 +42,10 @@ inline void expect_golden(const Image<Rgba8>& actual, const std::string& name, T
         return;
     }
     const std::filesystem::path out = KD_TEST_OUTPUT_DIR;
-    ASSERT_TRUE(std::filesystem::exists(path)) << path << " is missing; make it with KD_UPDATE_GOLDEN=1";
+    if (!std::filesystem::exists(path)) {
+        write_png(out / (name + ".actual.png"), actual);
+        FAIL() << path << " is missing; make it with KD_UPDATE_GOLDEN=1";
+    }
     const Image<Rgba8> expected = read_png(path);
     if (actual.width != expected.width || actual.height != expected.height) {
         write_png(out / (name + ".actual.png"), actual);

@@ -1,0 +1,192 @@
+// stats, bench, trace, verify, info: tables and JSON.
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/text_table.h"
+#include "renderer/io/file.h"
+#include "renderer/kdtree/build.h"
+#include "renderer/trace/traversal.h"
+#include "tests/app/cli_run.h"
+
+namespace kd {
+namespace {
+
+using nlohmann::json;
+using test::expect_usage_error;
+using test::run_kdscope;
+using test::TestFolder;
+using Words = std::vector<std::string>;
+
+Words split(const std::string& line) {
+    Words cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
+TEST(Stats, AllBuildersSideBySide) {
+    const test::Outcome outcome = run_kdscope({"stats", "cornell", "ball:500", "--builders", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json data = json::parse(outcome.out);
+    ASSERT_EQ(data.size(), 2u);
+    ASSERT_EQ(data[0]["trees"].size(), builders().size());
+    for (const json& tree : data[0]["trees"]) {
+        EXPECT_EQ(tree["tree"]["triangles"], 34);
+        EXPECT_EQ(tree["tree"]["node_bytes"], 16 * tree["tree"]["nodes"].get<int>());
+        EXPECT_GT(tree["tree"]["sah_cost"], 0);
+    }
+    const test::Outcome table = run_kdscope({"stats", "cornell"});
+    EXPECT_NE(table.out.find("memory: lists of copies"), std::string::npos);
+    EXPECT_NE(table.out.find("paper"), std::string::npos);
+}
+
+TEST(Stats, ConstantsOutOfRangeAreRefused) {
+    expect_usage_error(run_kdscope({"stats", "cornell", "--max-depth", "65"}), {"--max-depth", "0 to 64"});
+    expect_usage_error(run_kdscope({"stats", "cornell", "--reference-cap", "0"}), {"--reference-cap"});
+}
+
+TEST(Bench, RowsHaveTheAgreedKeys) {
+    const test::Outcome outcome = run_kdscope({"bench", "cornell", "--json", "--size", "64x48", "--rounds", "3",
+                                               "--warmup", "1", "--tracer", "cpu", "--naive"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json rows = json::parse(outcome.out);
+    ASSERT_EQ(rows.size(), traversals().size());
+    const std::set<std::string> agreed{"scene",       "tracer", "traversal", "builder",  "width",
+                                       "height",      "rays",   "ms_median", "ms_p25",   "ms_p75",
+                                       "mrays_per_s", "clock",  "renderer",  "build_ms", "counters"};
+    for (const json& row : rows) {
+        std::set<std::string> keys;
+        for (const auto& [key, value] : row.items()) keys.insert(key);
+        EXPECT_EQ(keys, agreed);
+        EXPECT_GT(row["rays"], 64 * 48);
+        EXPECT_EQ(row["rays"], rows[0]["rays"]);
+        EXPECT_LE(row["ms_p25"], row["ms_median"]);
+        EXPECT_LE(row["ms_median"], row["ms_p75"]);
+        EXPECT_NEAR(row["mrays_per_s"].get<double>(),
+                    row["rays"].get<double>() / row["ms_median"].get<double>() / 1000.0, 1e-6);
+    }
+    EXPECT_EQ(rows[0]["traversal"], "naive");
+    EXPECT_EQ(rows[0]["counters"]["leaves"], 0);
+    EXPECT_GT(rows[2]["counters"]["restarts"], 0);
+}
+
+class Trace : public testing::Test {
+  protected:
+    TestFolder folder;
+    std::string rays = folder.file("rays.csv");
+
+    void SetUp() override {
+        // The floor of the box, an exact hexadecimal twin of the same ray, the sky, no direction at all.
+        std::ofstream(rays) << "ox,oy,oz,dx,dy,dz,tmin,tmax\n"
+                               "0.25,1,0.5,0,-1,0,0,10\n"
+                               "0x1p-2,0x1p+0,0x1p-1,0,-0x1p+0,0,0,0x1.4p+3\n"
+                               "0,1,50,0,0,1,0,10\n"
+                               "0,1,0,0,0,0,0,10\n";
+    }
+};
+
+TEST_F(Trace, EveryTraversalAgrees) {
+    const test::Outcome outcome = run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-", "--tracer", "cpu"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::string line;
+    std::getline(lines, line);
+    const Words header = split(line);
+    ASSERT_EQ(header.size(), 16u) << line;
+    EXPECT_EQ(header[0], "ray");
+    EXPECT_EQ(header[8], "interior_first");
+    EXPECT_EQ(header[15], "exit_reason");
+    std::map<std::string, std::set<Words>> answers;  // by ray
+    std::set<std::string> algorithms;
+    int rows = 0;
+    for (; std::getline(lines, line); ++rows) {
+        const Words cells = split(line);
+        ASSERT_EQ(cells.size(), header.size());
+        algorithms.insert(cells[1]);
+        EXPECT_EQ(cells[2], "cpu");
+        answers[cells[0]].insert({cells[3], cells[4], cells[5], cells[6], cells[7]});
+    }
+    EXPECT_EQ(rows, 4 * int(traversals().size()));
+    EXPECT_EQ(algorithms.size(), traversals().size());
+    for (const auto& [ray, found] : answers) EXPECT_EQ(found.size(), 1u) << ray;
+    EXPECT_EQ((*answers["0"].begin())[0], "1");
+    EXPECT_EQ((*answers["0"].begin())[2], "1");  // t: from height 1 to the floor
+    EXPECT_EQ(answers["0"], answers["1"]);
+    EXPECT_EQ((*answers["2"].begin())[0], "0");
+    EXPECT_EQ((*answers["2"].begin())[1], "-1");
+    EXPECT_EQ((*answers["3"].begin())[0], "0");
+}
+
+TEST_F(Trace, WritesAFileAndObeysTraversal) {
+    ASSERT_EQ(run_kdscope({"trace", "cornell", "--rays", rays, "-o", folder.file("h.csv"), "--tracer", "cpu",
+                           "--traversal", "restart"})
+                  .code,
+              0);
+    const std::string table = read_file(folder.file("h.csv"));
+    EXPECT_EQ(std::ranges::count(table, '\n'), 5);
+    EXPECT_EQ(folder.names(), (Words{"h.csv", "rays.csv"}));
+}
+
+TEST_F(Trace, BadRaysNameTheLine) {
+    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,0,0,0,0,1\n0,0,abc,0,0,1\n";
+    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-"}), {"rays.csv:3", "'abc'"});
+    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", folder.file("none.csv"), "-o", "-"}), {"none.csv"});
+}
+
+TEST(Verify, PassesOnAScene) {
+    const test::Outcome outcome = run_kdscope(
+        {"verify", "cornell", "--json", "--size", "32x32", "--adversarial", "390", "--seed", "2", "--tracer", "cpu"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    const json report = json::parse(outcome.out)[0];
+    EXPECT_TRUE(report["passed"]);
+    EXPECT_EQ(report["rows"].size(), builders().size() * traversals().size());  // no naive, but copied lists once more
+    for (const json& row : report["rows"]) {
+        EXPECT_EQ(row["mismatches"], 0) << row.dump();
+        EXPECT_EQ(row["pixel_rays"], 1024);
+        EXPECT_EQ(row["adversarial_rays"], 390);
+    }
+}
+
+TEST(Verify, TableEndsWithTheVerdict) {
+    const test::Outcome outcome = run_kdscope({"verify", "cornell", "--size", "16x16", "--adversarial", "0", "--tracer",
+                                               "cpu", "--builder", "paper", "--traversal", "stack"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_TRUE(outcome.out.ends_with("\npassed\n")) << outcome.out;
+}
+
+TEST(Verify, NothingToCheckIsNoPass) {
+    const test::Outcome outcome =
+        run_kdscope({"verify", "cornell", "--size", "16x16", "--tracer", "cpu", "--traversal", "naive"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.out.find("nothing was checked"), std::string::npos) << outcome.out;
+}
+
+TEST(Info, SaysWhatThisBuildIs) {
+    const test::Outcome outcome = run_kdscope({"info", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json facts = json::parse(outcome.out);
+    EXPECT_FALSE(facts["version"].get<std::string>().empty());
+    EXPECT_GT(facts["cpu"]["threads"], 0);
+    EXPECT_EQ(facts["contexts"].size(), 2u);
+    for (const json& context : facts["contexts"])
+        EXPECT_NE(context.contains("renderer"), context.contains("unavailable"));
+    EXPECT_NE(std::ranges::find(facts["scenes"], json("rooms")), facts["scenes"].end());
+    EXPECT_NE(std::ranges::find(facts["scenes"], json("lantern.gltf")), facts["scenes"].end());
+}
+
+TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {
+    TextTable table({{"name", TextTable::Align::left}, {"n"}});
+    table.add_row({"a", "1000"});
+    table.add_row({"longer", "7"});
+    std::ostringstream out;
+    table.print(out);
+    EXPECT_EQ(out.str(), "name       n\n"
+                         "a       1000\n"
+                         "longer     7\n");
+}
+
+}  // namespace
+}  // namespace kd
