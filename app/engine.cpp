@@ -91,6 +91,7 @@ bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
+    state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
     if (!duelling_) start_duel();
     return news;
 }

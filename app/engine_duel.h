@@ -7,6 +7,7 @@
 
 #include "renderer/measure/timing.h"
 #include "renderer/trace/frame.h"
+#include "renderer/trace/traversal.h"
 
 namespace kd {
 
@@ -24,6 +25,8 @@ struct DuelState {
     TimeSummary cpu, gl;
     std::array<TimeSummary, pass_count> passes;
     std::string cpu_clock, gl_clock;
+    Traversal traversal = Traversal::stack;  // of the frame timed
+    bool outdated = true;  // the rounds are of a frame that is no longer shown
     bool running = false;
 
     /// Drops the oldest beyond `history` rounds and summarises again.

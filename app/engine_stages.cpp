@@ -245,6 +245,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;
+    duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
 }
 

@@ -22,8 +22,8 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     ImGui::SameLine();
     button("CSV", Action::export_csv, "A row per pixel: hit and every counter of every pass.");
     button("JSON", Action::export_json, "Settings, tree, times and counter totals.");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(half);
+    widgets::heading("into folder");
+    ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##folder", "folder", &edit.window.folder);
     widgets::hint("Folder that files are written into. Names count up: kdscope-1.png, kdscope-2.png, ...");
     if (!edit.last_export.empty()) widgets::note(edit.last_export);

@@ -16,18 +16,26 @@ namespace {
 
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
-/// A machine's median, large, with spread and rate below.
-void draw_machine(const char* name, ImU32 colour, const TimeSummary& time, std::int64_t rays, const std::string& missing) {
-    ImGui::BeginGroup();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(name);
-    ImGui::PopStyleColor();
+/// Numbers of a frame that is no longer shown are dim.
+ImU32 shade(const DuelState& duel, ImU32 colour) { return duel.outdated ? theme::faded(colour, 0.45f) : colour; }
+
+void large(const std::string& text, ImU32 colour) {
     ImGui::PushFont(theme::font(theme::Type::title));
-    ImGui::TextUnformatted(time.samples > 0 ? ms_text(time.median_ms).c_str() : "–");
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
     ImGui::PopFont();
+}
+
+/// A machine's median, large, with spread and rate below.
+void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time, const DuelState& duel,
+                  const std::string& missing) {
+    ImGui::BeginGroup();
+    widgets::note(name, colour);
+    large(time.samples > 0 ? ms_text(time.median_ms) : "–", shade(duel, theme::text));
     if (time.samples > 0) {
         widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)));
-        widgets::note(fmt::format("{} Mrays/s", number_text(double(rays) / time.median_ms * 1e-3)));
+        widgets::note(fmt::format("{} Mrays/s", number_text(double(duel.rays) / time.median_ms * 1e-3)));
     } else {
         widgets::note(missing);
     }
@@ -37,11 +45,10 @@ void draw_machine(const char* name, ImU32 colour, const TimeSummary& time, std::
 void draw_ratio(const DuelState& duel) {
     ImGui::BeginGroup();
     widgets::note("CPU / GPU");
-    ImGui::PushFont(theme::font(theme::Type::title));
-    ImGui::TextUnformatted(duel.ratio() > 0 ? fmt::format("× {:.2f}", duel.ratio()).c_str() : "–");
-    ImGui::PopFont();
-    widgets::note(duel.rounds.empty() ? "" : fmt::format("{} rounds", duel.rounds.size()));
-    widgets::note(duel.width > 0 ? fmt::format("{} × {} px", duel.width, duel.height) : "");
+    large(duel.ratio() > 0 ? fmt::format("× {:.2f}", duel.ratio()) : "–", shade(duel, theme::text));
+    const std::size_t rounds = duel.rounds.size();
+    if (rounds > 0) widgets::note(fmt::format("{} round{}", rounds, rounds == 1 ? "" : "s"));
+    if (duel.width > 0) widgets::note(fmt::format("{} × {} px", duel.width, duel.height));
     ImGui::EndGroup();
 }
 
@@ -51,7 +58,7 @@ void draw_passes(const DuelState& duel) {
     for (std::size_t p = 0; p < pass_count; ++p) {
         const bool ran = duel.passes[p].samples > 0;
         widgets::value(pass_names[p].data(), ran ? ms_text(duel.passes[p].median_ms) : duel.gl.samples > 0 ? "left out" : "–",
-                       "Median time of this pass on the GPU.", ran ? theme::gpu : theme::dim_text);
+                       "Median time of this pass on the GPU.", ran ? shade(duel, theme::gpu) : theme::dim_text);
     }
     ImGui::EndGroup();
 }
@@ -66,7 +73,7 @@ std::string clocks(const EngineState& state) {
 }
 
 void draw_plot(const EngineState& state) {
-    plot::Series cpu{theme::cpu, {}}, gpu{theme::gpu, {}};
+    plot::Series cpu{shade(state.duel, theme::cpu), {}}, gpu{shade(state.duel, theme::gpu), {}};
     for (const DuelRound& round : state.duel.rounds) {
         cpu.values.push_back(float(round.cpu_ms));
         if (round.gl_ms >= 0) gpu.values.push_back(float(round.gl_ms));
@@ -79,25 +86,26 @@ void draw_plot(const EngineState& state) {
 
 void draw_time_panel(const EngineState& state, Edit& edit) {
     const DuelState& duel = state.duel;
-    const std::string traversal(info(state.session.trace.traversal).name);
+    const Traversal timed = duel.rounds.empty() ? state.session.trace.traversal : duel.traversal;
+    const std::string traversal(info(timed).name);
     const std::string waiting = edit.window.timing ? "measured when idle" : "timing is off";
-    const std::string no_gpu = !state.gl.known ? waiting : state.gl.available() ? waiting : "no OpenGL 4.3";
-    const std::string gpu_name = fmt::format("GPU {}{}", traversal, state.gl.software ? " (software)" : "");
+    const std::string no_gpu = !state.gl.known || state.gl.available() ? waiting : "no OpenGL 4.3";
 
     ImGui::Columns(5, "time", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
-    const float widths[] = {theme::px(124), theme::px(140), theme::px(108), theme::px(160)};
+    const float widths[] = {theme::px(122), theme::px(160), theme::px(100), theme::px(160)};
     for (int i = 0; i < 4; ++i) ImGui::SetColumnWidth(i, widths[i]);
     ImGui::SetColumnWidth(4, std::max(theme::px(100), width - widths[0] - widths[1] - widths[2] - widths[3]));
-    draw_machine(fmt::format("CPU {}", traversal).c_str(), theme::cpu, duel.cpu, duel.rays, waiting);
+    draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, waiting);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
-    draw_machine(gpu_name.c_str(), theme::gpu, duel.gl, duel.rays, no_gpu);
+    draw_machine("GPU " + traversal + (state.gl.software ? " (software)" : ""), theme::gpu, duel.gl, duel, no_gpu);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
     draw_ratio(duel);
     ImGui::NextColumn();
     draw_passes(duel);
+    widgets::check("measure while idle", edit.window.timing, "Times both machines while nobody works with the window.");
     ImGui::NextColumn();
     draw_plot(state);
     ImGui::Columns(1);

@@ -27,9 +27,10 @@ void draw_constants(BuildConfig& b, const EngineState& state) {
                     "Cost t_i of one triangle test. Larger makes deeper trees with fewer tests.", true);
     widgets::slider("empty bonus", b.empty_bonus, 0, 1, "%.2f",
                     "b_e: the part of the cost forgiven when a split leaves one child empty. Larger carves off more empty space.");
+    widgets::slider("leaf size", b.leaf_size, 1, 32, "%d", "Nodes with at most this many triangles are not split further.");
+    if (!ImGui::TreeNodeEx("more constants", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth)) return;
     widgets::slider("bonus from", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node.");
-    widgets::slider("leaf size", b.leaf_size, 1, 32, "%d", "Nodes with at most this many triangles are not split further.");
     const int automatic = state.world ? depth_limit(BuildConfig{}, state.world->scene().triangles.size()) : 0;
     widgets::slider("depth limit", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
                     fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}.", automatic));

@@ -69,7 +69,7 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
     glfwSwapInterval(1);
 
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    tracing_ = try_versions(title, 16, 16, {{4, 6}, {4, 5}, {4, 3}});
+    tracing_ = try_versions(title + ": tracing", 16, 16, {{4, 6}, {4, 5}, {4, 3}});
     if (!tracing_) refused_ = "OpenGL 4.3 is not there: " + glfw_error();
 }
 

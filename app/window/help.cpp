@@ -46,11 +46,26 @@ void draw_gestures() {
     for (const Gesture& gesture : gestures()) row(gesture.label, gesture.title, theme::px(136));
 }
 
+/// Dims everything behind the help; a click on it closes the help and goes no further.
+void draw_shade(ImVec2 size, Edit& edit) {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 120));
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("##shade", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    if (ImGui::InvisibleButton("##close", size)) edit.window.help = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 void draw_help(Edit& edit) {
     if (!edit.window.help) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    draw_shade(size, edit);
     ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({theme::px(620), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(24), theme::px(16)});
@@ -69,8 +84,7 @@ void draw_help(Edit& edit) {
     draw_keys(2, 99);
     ImGui::Columns(1);
     ImGui::Dummy({0, theme::px(8)});
-    const bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
-    if (ImGui::Button("close", {theme::px(96), 0}) || outside) edit.window.help = false;
+    if (ImGui::Button("close", {theme::px(96), 0})) edit.window.help = false;
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);

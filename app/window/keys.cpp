@@ -68,7 +68,7 @@ constexpr KeyBinding table[] = {
 
 constexpr Gesture held[] = {
     {"drag", "orbit"},
-    {"Shift+drag", "pan; also middle or right button"},
+    {"Shift+drag", "pan (or middle, right)"},
     {"scroll", "closer, farther"},
     {"double click", "orbit about what is there"},
     {"click", "pin the pixel, or release it"},

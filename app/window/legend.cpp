@@ -34,6 +34,7 @@ class Card {
             float x = corner_.x;
             if (swatch) {
                 list_->AddRectFilled({x, y_ + theme::px(3)}, {x + theme::px(9), y_ + theme::px(12)}, swatch);
+                list_->AddRect({x, y_ + theme::px(3)}, {x + theme::px(9), y_ + theme::px(12)}, theme::line);
                 x += theme::px(15);
             }
             list_->AddText({x, y_}, theme::dim_text, label.c_str());

@@ -94,6 +94,14 @@ bool toggle(const char* label, bool& on, std::string_view tooltip) {
     return changed;
 }
 
+bool check(const char* label, bool& on, std::string_view tooltip) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+    const bool changed = ImGui::Checkbox(label, &on);
+    ImGui::PopStyleVar();
+    hint(tooltip);
+    return changed;
+}
+
 bool choice(const char* label, int& index, int count, const std::function<std::string(int)>& name,
             const std::function<std::string(int)>& summary, std::string_view tooltip) {
     const std::string id = begin_row(label, tooltip);

@@ -28,6 +28,9 @@ bool slider(const char* label, int& number, int low, int high, const char* forma
 
 bool toggle(const char* label, bool& on, std::string_view tooltip);
 
+/// The same with the label at the right of the box: for rows that are no wider than both.
+bool check(const char* label, bool& on, std::string_view tooltip);
+
 /// One of several; `name(i)` and `summary(i)` describe them. True where another was chosen.
 bool choice(const char* label, int& index, int count, const std::function<std::string(int)>& name,
             const std::function<std::string(int)>& summary, std::string_view tooltip);

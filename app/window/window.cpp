@@ -1,16 +1,19 @@
 #include "app/window/window.h"
 
-#include <cstdlib>
-
 #include "app/command.h"
 #include "app/window/window_loop.h"
 
 namespace kd {
 
 int run_window(const Session& start, std::stop_token stop) {
-    GlfwWindow window("kdscope", 1280, 720);
-    WindowLoop loop(window, start);
-    loop.run(stop);
+    WindowMemory memory = recall();
+    GlfwWindow window("kdscope", memory.width, memory.height);
+    {
+        WindowLoop loop(window, start, memory);
+        loop.run(stop);
+        memory = loop.memory();
+    }
+    remember(memory);
     return exit_ok;
 }
 

@@ -56,8 +56,9 @@ void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
 
 }  // namespace
 
-WindowLoop::WindowLoop(GlfwWindow& window, const Session& start)
-    : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")), state_file_(variable("KDSCOPE_STATE_FILE")) {
+WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMemory& memory)
+    : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")), state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes) {
+    edit_.window = memory.settings;
     (void)gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
     install_callbacks(window.handle(), *this);
     ImGui::CreateContext();
@@ -85,6 +86,12 @@ WindowLoop::~WindowLoop() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+}
+
+WindowMemory WindowLoop::memory() const {
+    WindowMemory memory{0, 0, sizes_, edit_.window};
+    glfwGetWindowSize(window_.handle(), &memory.width, &memory.height);
+    return memory;
 }
 
 void WindowLoop::on_input(const char* kind) {

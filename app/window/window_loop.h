@@ -11,6 +11,7 @@
 #include "app/window/event_log.h"
 #include "app/window/glfw_window.h"
 #include "app/window/layout.h"
+#include "app/window/memory.h"
 #include "app/window/state_file.h"
 #include "app/window/viewport.h"
 
@@ -18,12 +19,15 @@ namespace kd {
 
 class WindowLoop {
   public:
-    WindowLoop(GlfwWindow& window, const Session& start);
+    WindowLoop(GlfwWindow& window, const Session& start, const WindowMemory& memory);
     ~WindowLoop();
     WindowLoop(const WindowLoop&) = delete;
     WindowLoop& operator=(const WindowLoop&) = delete;
 
     void run(const std::stop_token& stop);
+
+    /// What to remember, as it is now.
+    [[nodiscard]] WindowMemory memory() const;
 
     // What GLFW reports; public for its callbacks.
     void on_key(int key, int modifiers);

@@ -76,6 +76,7 @@ void GlTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, 
     const StateGuard guard(impl_->gl);
     TraceConfig own = config;
     own.counters = !counters.empty();
+    own.shadows = false;  // one ray per invocation, whatever the lights
     impl_->scene().prepare(own, impl_->needs_of(own));
 
     const std::size_t fits = std::size_t(impl_->limits.buffer_texels) / texels_per_ray;

@@ -246,8 +246,8 @@ class Verification {
         const std::int64_t rays = std::int64_t(pixels_.rays.size() + hard.rays.size());
         const auto step = std::size_t(1 + rays * report_.triangles / std::max<std::int64_t>(config_.gl_naive_tests, 1));
         if (step > 1)
-            report_.notes.push_back(
-                fmt::format("naive on {}: every {}th ray only", name_of(machine.context->kind()), step));
+            report_.notes.push_back(fmt::format("naive on {}: one ray in {} only, as each takes all triangles",
+                                                name_of(machine.context->kind()), step));
         const Mode mode{Traversal::naive, LeafLists::references};
         check_gl(machine, mode, row_for(mode, "-"), pixels_.every(step), hard.every(step), nullptr);
     }

@@ -66,6 +66,24 @@ TEST(Damage, TextCutOffAnywhere) {
     }
 }
 
+TEST(Damage, JpegCutOffOrChanged) {
+    const std::string whole = get_bytes(std::string(KD_SOURCE_DIR) + "/tests/fixtures/io/two_colours.jpg");
+    const auto file_with = [&](const std::string& jpeg) {
+        GltfBuilder builder = rich_file();
+        builder.json["images"][0]["bufferView"] = builder.add_view(jpeg.data(), jpeg.size());
+        return builder.glb();
+    };
+    for (std::size_t length = 1; length < whole.size(); length += 7) {
+        EXPECT_TRUE(survives(file_with(whole.substr(0, length)))) << "a broken image must not stop a scene";
+    }
+    std::mt19937 random(2);
+    for (int round = 0; round < 100; ++round) {
+        std::string damaged = whole;
+        damaged[random() % damaged.size()] = static_cast<char>(random());
+        EXPECT_TRUE(survives(file_with(damaged)));
+    }
+}
+
 TEST(Damage, BytesChangedAtRandom) {
     const std::string whole = rich_file().glb();
     std::mt19937 random(1);

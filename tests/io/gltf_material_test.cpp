@@ -229,6 +229,26 @@ TEST(GltfTexture, TheMeanStandsForAMetallicRoughnessTexture) {
     EXPECT_TRUE(has_note(scene, "replaced 1 metallic-roughness texture by the mean of each"));
 }
 
+TEST(GltfTexture, ReadsJpeg) {
+    // 16 x 8 pixels, the left half of one colour, the right half of another.
+    GltfBuilder builder = with_material(textured);
+    add_texture(builder, get_bytes(std::string(KD_SOURCE_DIR) + "/tests/fixtures/io/two_colours.jpg"), "image/jpeg");
+    const Scene scene = load(builder);
+    const Image<Rgba8>& image = scene.textures.at(0);
+    ASSERT_EQ(image.width, 16);
+    ASSERT_EQ(image.height, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const Rgba8 expected = x < 8 ? Rgba8{200, 30, 40, 255} : Rgba8{20, 60, 220, 255};
+            EXPECT_NEAR(image.at(x, y).r, expected.r, 3);
+            EXPECT_NEAR(image.at(x, y).g, expected.g, 3);
+            EXPECT_NEAR(image.at(x, y).b, expected.b, 3);
+            EXPECT_EQ(image.at(x, y).a, 255);
+        }
+    }
+    EXPECT_TRUE(scene.notes.empty());
+}
+
 TEST(GltfTexture, BrokenImagesBecomeWhite) {
     const std::string good = png_of({{1, 2, 3, 4}}, 1);
     const std::string huge("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff\x08\x06\0\0\0", 29);
