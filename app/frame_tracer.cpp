@@ -1,6 +1,7 @@
 #include "app/frame_tracer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/machine_info.h"
 #include "renderer/cpu/cpu_tracer.h"
@@ -57,6 +58,7 @@ class GlFrameTracer final : public FrameTracer {
     FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
                     const std::function<void(float)>& progress) override {
         context_->make_current();
+        warm_up(config, camera, width, height);
         const int rows = progress ? std::max(1, pixels_per_band / width) : height;
         FrameTime time;
         for (int y = 0; y < height; y += rows) {
@@ -87,9 +89,18 @@ class GlFrameTracer final : public FrameTracer {
   private:
     static constexpr int pixels_per_band = 32768;
 
+    /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
+    void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
+        if (warm_ == config) return;
+        const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
+        tracer_->draw({.trace = config}, camera, width, height, middle);
+        warm_ = config;
+    }
+
     std::unique_ptr<Context> context_;
     std::unique_ptr<GlTracer> tracer_;
     std::string clock_ = "not read";
+    std::optional<TraceConfig> warm_;
 };
 
 }  // namespace

@@ -31,9 +31,10 @@ void check_frame_memory(int width, int height) {
     const double needed = per_pixel * double(width) * double(height);
     const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE));
     if (there > 0 && needed > 0.8 * there)
-        throw InputError(fmt::format("--size: {}x{} pixels with all their counters take {:.1f} GB, this machine has {:.1f} "
-                                     "GB; choose a smaller size",
-                                     width, height, needed * 1e-9, there * 1e-9));
+        throw InputError(
+            fmt::format("--size: {}x{} pixels with all their counters take {:.1f} GB, this machine has {:.1f} "
+                        "GB; choose a smaller size",
+                        width, height, needed * 1e-9, there * 1e-9));
 }
 
 }  // namespace kd

@@ -22,6 +22,8 @@ endif()
 # The same floating-point operations in every build: no fused multiply-add unless written.
 add_library(kd_options INTERFACE)
 target_compile_options(kd_options INTERFACE -ffp-contract=off)
+# GLM's functions must go into callers compiled for a wider instruction set; g++ leaves some outside unless told.
+target_compile_definitions(kd_options INTERFACE GLM_FORCE_INLINE)
 target_include_directories(kd_options INTERFACE "${PROJECT_SOURCE_DIR}")
 
 # kd_glob_sources(OUT FOLDERS... [EXCLUDE files...]): the .cpp files right in each folder, watched for new ones.

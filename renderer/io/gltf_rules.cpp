@@ -33,7 +33,7 @@ struct Rule {
     std::size_t length = 0;
 };
 
-constexpr std::array<const char*, 7> element_types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+constexpr std::array<std::string_view, 7> element_types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 
 constexpr bool required = true;
 constexpr bool optional = false;
@@ -122,6 +122,8 @@ constexpr Rule content_rules[] = {
     {"/materials/*/pbrMetallicRoughness/metallicRoughnessTexture", Kind::object},
 };
 
+bool names_element(std::string_view name) { return std::ranges::find(element_types, name) != element_types.end(); }
+
 /// What a value that breaks the rule must be; empty where it keeps it.
 std::string complaint(const Rule& rule, const json& value, const json& gltf) {
     const auto demand = [](bool good, const char* text) { return std::string(good ? "" : text); };
@@ -131,7 +133,7 @@ std::string complaint(const Rule& rule, const json& value, const json& gltf) {
         case Kind::text: return demand(value.is_string(), "must be text");
         case Kind::number: return demand(value.is_number(), "must be a number");
         case Kind::element:
-            return demand(std::ranges::find(element_types, value) != element_types.end(),
+            return demand(value.is_string() && names_element(value.get_ref<const std::string&>()),
                           "must be SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
         case Kind::whole: return demand(value.is_number_unsigned(), "must be a whole number, 0 or more");
         case Kind::whole_31bit:

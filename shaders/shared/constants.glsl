@@ -18,8 +18,15 @@ KD_CONST(int) KD_LIGHT_POINT = 0;
 KD_CONST(int) KD_LIGHT_DIRECTIONAL = 1;
 KD_CONST(int) KD_LIGHT_SPOT = 2;
 
-// Relative padding of every distance to a plane: above gamma(3) = 3u/(1-3u) = 1.8e-7 (u = 2^-24, Higham) plus the
-// 2.5 ulp that GLSL allows a division.
+// How far, as a fraction of the farthest point of the scene from the ray's origin, the watertight test may see a ray from
+// where it exactly is: shear and edge functions in single precision err by about 10u of that distance (u = 2^-24), the
+// distance to a plane by another 4u, or 7u with GLSL's 2.5 ulp division. A cell this close to the ray is visited.
+KD_CONST(real) KD_SLACK = real(1e-6);
+
+// A direction component below this fraction of the largest one moves a ray less than a hundredth of the slack.
+KD_CONST(real) KD_PARALLEL = real(1e-8);
+
+// Relative error allowed to the t of two hits that may be one: gamma(3) = 3u/(1-3u) = 1.8e-7 and a division.
 KD_CONST(real) KD_T_PADDING = real(4e-7);
 
 // gamma(7): bound on the relative error of a point computed from barycentrics (Pharr et al., Physically Based

@@ -22,7 +22,8 @@ KD_FN bool enter_tree(IN(RaySetup) s, OUT(real) t_begin, OUT(real) t_end)
     real3 lower;
     real3 upper;
     fetch_bounds(lower, upper);
-    if (!clip_to_box(s, lower, upper, t_begin, t_end)) {
+    bool empty = !(lower.x <= upper.x);
+    if (empty || !clip_to_box(s, lower, upper, t_begin, t_end)) {
         on_exit(KD_EXIT_MISS);
         return false;
     }

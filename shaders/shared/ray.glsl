@@ -1,10 +1,13 @@
 // What is computed once per ray: reciprocal directions for the planes and the shear of the watertight triangle test.
 
 /// `axes` orders the axes so that z is the direction's largest component; `shear` maps the direction to (0, 0, 1).
-/// `inverse` holds 1/d, and 0 where d is zero (no infinity is ever made).
+/// `inverse` holds 1/d, and 0 on an axis that the ray is parallel to (no infinity is ever made). `slack` is the distance
+/// within which a cell counts as touched, and `t_slack` the same in t for planes across each axis.
 struct RaySetup {
     Ray ray;
     real3 inverse;
+    real slack;
+    real3 t_slack;
     int3 axes;
     real3 shear;
     real3 permuted_origin;
@@ -24,9 +27,9 @@ KD_FN bool valid_ray(IN(Ray) ray)
            ray.t_min < ray.t_max;
 }
 
-KD_FN real inverse_or_zero(real d)
+KD_FN real inverse_or_zero(real d, real smallest)
 {
-    return d == real(0) ? real(0) : real(1) / d;
+    return abs(d) <= smallest ? real(0) : real(1) / d;
 }
 
 KD_FN int largest_axis(real3 a)
@@ -48,7 +51,15 @@ KD_FN RaySetup setup_ray(IN(Ray) ray)
     RaySetup s;
     s.ray = ray;
     s.ray.t_max = limited_end(ray.t_max);
-    s.inverse = real3(inverse_or_zero(ray.direction.x), inverse_or_zero(ray.direction.y), inverse_or_zero(ray.direction.z));
+    real smallest = KD_PARALLEL * max_component(abs(ray.direction));
+    s.inverse = real3(inverse_or_zero(ray.direction.x, smallest), inverse_or_zero(ray.direction.y, smallest),
+                      inverse_or_zero(ray.direction.z, smallest));
+    real3 lower;
+    real3 upper;
+    fetch_bounds(lower, upper);
+    PRECISE real slack = KD_SLACK * max_component(max(abs(lower - ray.origin), abs(upper - ray.origin)));
+    s.slack = slack;
+    s.t_slack = scale3(abs(s.inverse), slack);
     int z = largest_axis(abs(ray.direction));
     int x = z == 2 ? 0 : z + 1;
     int y = x == 2 ? 0 : x + 1;

@@ -1,6 +1,33 @@
 // Watertight ray-triangle test: Woop, Benthin, Wald, JCGT 2(1), 2013. Two triangles that share an edge evaluate the
 // same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
 
+/// a*b minus its rounded value, exactly unless it underflows (Dekker, Numerische Mathematik 18, 1971; 4097 = 2^12 + 1
+/// halves a float's 24 bits).
+KD_FN real product_error(real a, real b)
+{
+    PRECISE real a_scaled = a * real(4097);
+    PRECISE real a_high = a_scaled - (a_scaled - a);
+    PRECISE real a_low = a - a_high;
+    PRECISE real b_scaled = b * real(4097);
+    PRECISE real b_high = b_scaled - (b_scaled - b);
+    PRECISE real b_low = b - b_high;
+    PRECISE real product = a * b;
+    PRECISE real error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    return error;
+}
+
+/// p*q - r*s with the sign that it has in exact arithmetic: rounding keeps the order of two products unless it makes them
+/// equal, and then what it took away decides. A triangle seen edge-on would otherwise be "hit" at a corner far from the ray.
+KD_FN real edge_function(real p, real q, real r, real s)
+{
+    PRECISE real edge = p * q - r * s;
+    if (KD_RARE(edge == real(0))) {
+        PRECISE real rest = product_error(p, q) - product_error(r, s);
+        edge = rest;
+    }
+    return edge;
+}
+
 /// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
 /// the lowest triangle number wins. Where t is NaN there is no hit: the comparisons stand as they are meant, because a GLSL
 /// compiler may turn a negated one round.
@@ -21,9 +48,9 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real cx = c.x - s.shear.x * c.z;
     PRECISE real cy = c.y - s.shear.y * c.z;
 
-    PRECISE real edge_a = cx * by - cy * bx;
-    PRECISE real edge_b = ax * cy - ay * cx;
-    PRECISE real edge_c = bx * ay - by * ax;
+    real edge_a = edge_function(cx, by, cy, bx);
+    real edge_b = edge_function(ax, cy, ay, cx);
+    real edge_c = edge_function(bx, ay, by, ax);
     // Outside where signs differ. Least and greatest first: six branches on the signs would be unpredictable ones.
     real least = min(edge_a, min(edge_b, edge_c));
     real greatest = max(edge_a, max(edge_b, edge_c));

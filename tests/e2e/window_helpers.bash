@@ -1,0 +1,101 @@
+# What the tests of the window share: a virtual screen, the window in it, its state file. Sourced first by every window_*.sh.
+
+SCREEN=${SCREEN:-1280x720}
+
+skip() {
+    echo "SKIPPED: $*"
+    exit 77
+}
+
+if [[ -z ${KD_INSIDE_XVFB:-} ]]; then
+    for tool in xvfb-run xdotool import convert; do
+        command -v "$tool" >/dev/null || skip "$tool is not installed"
+    done
+    DISPLAY='' WAYLAND_DISPLAY='' "$KDSCOPE" view 2>&1 | grep -q 'this build has no window' && skip "this build has no window"
+    export KD_INSIDE_XVFB=1 SCREEN
+    exec xvfb-run -a -s "-screen 0 ${SCREEN}x24" bash "$0" "$@"
+fi
+
+rm -rf work && mkdir work && cd work || exit 1
+export KDSCOPE_STATE_FILE=$PWD/state.json
+export XDG_CONFIG_HOME=$PWD/config
+export KDSCOPE_EXIT_AFTER_S=240
+window_pid=
+
+fail() {
+    echo "FAIL: $*"
+    [[ -f log.txt ]] && cat log.txt
+    [[ -f $KDSCOPE_STATE_FILE ]] && state >state.txt && cat state.txt
+    exit 1
+}
+
+stop_window() {
+    [[ -n $window_pid ]] && kill "$window_pid" 2>/dev/null && wait "$window_pid" 2>/dev/null
+    window_pid=
+}
+trap stop_window EXIT
+
+# The state file as lines path=value, such as frame.scale=1 or picture_area.0=252.0.
+state() {
+    awk '
+        function join(   i, p) { p = path[1]; for (i = 2; i <= depth; i++) p = p "." path[i]; return p }
+        {
+            line = $0; sub(/^ +/, "", line); sub(/,$/, "", line)
+            if (line == "}" || line == "]") { depth--; next }
+            if (line == "{" && NR == 1) next
+            if (match(line, /^"[^"]*": /)) { key = substr(line, 2, RLENGTH - 4); value = substr(line, RLENGTH + 1) }
+            else { key = count[depth]++; value = line }
+            path[++depth] = key
+            if (value == "{" || value == "[") { count[depth] = 0; next }
+            gsub(/^"|"$/, "", value)
+            print join() "=" value
+            depth--
+        }' "$KDSCOPE_STATE_FILE"
+}
+
+# The value at a path; empty where there is none.
+value() { state | sed -n "s/^${1//./\\.}=//p"; }
+
+# Waits until the state has a line that matches the regular expression: wait_for '^frame.scale=1$' [seconds].
+wait_for() {
+    local end=$((SECONDS + ${2:-60}))
+    until [[ -f $KDSCOPE_STATE_FILE ]] && state | grep -qE "$1"; do
+        kill -0 "$window_pid" 2>/dev/null || fail "the window is gone, waiting for $1"
+        ((SECONDS < end)) || fail "not reached: $1"
+        sleep 0.1
+    done
+}
+
+# Opens the window and waits for the first whole picture.
+start_window() {
+    "$KDSCOPE" "$@" >log.txt 2>&1 &
+    window_pid=$!
+    wait_for '^frame.scale=1$'
+    window=$(xdotool search --name '^kdscope$' | tail -1)
+    xdotool windowmove "$window" 0 0 windowfocus "$window" 2>/dev/null
+}
+
+press() { xdotool key "$@"; }
+
+# Moves the mouse to a pixel of the picture.
+hover() {
+    local left top
+    left=$(value picture_area.0)
+    top=$(value picture_area.1)
+    xdotool mousemove $((${left%.*} + $1)) $((${top%.*} + $2))
+}
+
+# Writes what is seen of the picture, without the legend's corner at the right, as a PNG file.
+see_picture() {
+    local left top width height
+    left=$(value picture_area.0) top=$(value picture_area.1)
+    width=$(value picture_area.2) height=$(value picture_area.3)
+    sleep 0.3  # the state file may be one frame ahead of the screen
+    import -window root -crop "$((${width%.*} - 260))x${height%.*}+${left%.*}+${top%.*}" +repage "$1"
+}
+
+# Mean difference of two images of one size, 0..1.
+difference() { compare -metric MAE "$1" "$2" null: 2>&1 | sed 's/.*(\(.*\)).*/\1/'; }
+
+# True where the number expression holds.
+holds() { awk "BEGIN { exit !($1) }"; }

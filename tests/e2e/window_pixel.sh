@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The read-out of a pixel holds the numbers that `kdscope render --csv` writes for it; a click pins it, Esc lets it go.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window ball:1000 --traversal restart
+width=$(value frame.width)
+height=$(value frame.height)
+"$KDSCOPE" render ball:1000 --traversal restart --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
+
+# Value of a column of the table at a pixel.
+table() {
+    awk -F, -v x="$1" -v y="$2" -v name="$3" '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
+        $1 == x && $2 == y { print $c; exit }' r.csv
+}
+
+check_pixel() {
+    local x=$1 y=$2 name
+    hover "$x" "$y"
+    wait_for "^hovered.x=$x$" && wait_for "^hovered.y=$y$"
+    for name in triangle interior_first interior_again leaves triangle_tests restarts; do
+        [[ $(value "hovered.primary.$name") == "$(table "$x" "$y" "primary_$name")" ]] ||
+            fail "pixel $x,$y: $name is $(value "hovered.primary.$name") in the window, $(table "$x" "$y" "primary_$name") in the table"
+    done
+}
+check_pixel $((width / 2)) $((height / 2))
+check_pixel $((width / 3)) $((height / 4))
+check_pixel 5 5
+
+# A click pins; the mouse may go elsewhere.
+hover $((width / 2)) $((height / 2))
+wait_for "^hovered.x=$((width / 2))$"
+xdotool click 1
+wait_for "^pinned.x=$((width / 2))$"
+tests=$(value pinned.primary.triangle_tests)
+hover 20 30
+wait_for '^hovered.x=20$'
+[[ $(value pinned.primary.triangle_tests) == "$tests" ]] || fail "the pinned pixel moved with the mouse"
+press Right
+wait_for "^pinned.x=$((width / 2 + 1))$"
+press Escape
+wait_for '^pinned=null$'
+
+# A drag orbits and pins nothing.
+camera_before=$(value counters.primary.interior_first)
+hover $((width / 2)) $((height / 2))
+xdotool mousedown 1
+for step in 1 2 3 4 5 6; do xdotool mousemove_relative -- 12 4; sleep 0.05; done
+xdotool mouseup 1
+sleep 1.5
+wait_for '^frame.scale=1$'
+[[ $(value counters.primary.interior_first) != "$camera_before" ]] || fail "dragging did not turn the camera"
+[[ $(value pinned) == null ]] || fail "a drag pinned a pixel"
+press r
+wait_for "^counters.primary.interior_first=$camera_before$"
+echo "passed"
