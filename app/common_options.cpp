@@ -76,6 +76,8 @@ void add_tree_options(CLI::App& app, CommonOptions& o) {
                         text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
                           text("Most leaf references per triangle", build.reference_cap)),
+        app.add_flag("!--box-leaves", build.trim_leaves,
+                     "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
     };
     for (CLI::Option* option : all) option->group("Tree");
 }

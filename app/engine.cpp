@@ -26,7 +26,8 @@ bool same_frame(const Session& a, const Session& b) {
 
 Engine::Engine(const Session& start, EngineOptions options)
     : options_(std::move(options)), mailbox_(options_.wake), tracing_(std::make_unique<Tracing>(options_.open_gl)),
-      tracer_([this] { tracing_.reset(); }) {
+      loader_(Worker::Priority::low), builder_(Worker::Priority::low),
+      tracer_(Worker::Priority::low, [this] { tracing_.reset(); }) {
     state_.session = start;
     if (start.camera && !is_valid(*start.camera)) {
         state_.session.camera.reset();
@@ -94,6 +95,14 @@ bool Engine::poll() {
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
     if (!duelling_) start_duel();
     return news;
+}
+
+void Engine::wait_for_picture(double seconds) {
+    const double end = now() + seconds;
+    const auto answered = [this] { return state_.picture && state_.picture->generation == state_.generation; };
+    while (!answered() && now() < end) {
+        if (mailbox_.wait(end - now())) poll();
+    }
 }
 
 Camera Engine::camera_in_use() const { return state_.session.camera.value_or(state_.world->scene().camera); }

@@ -23,7 +23,7 @@ namespace kd {
 struct EngineOptions {
     OpenGl open_gl;              // called on the tracing thread; empty: no GPU
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
-    bool duel = true;  // time CPU and GPU while idle
+    bool duel = true;            // time CPU and GPU while idle
 };
 
 class Engine {
@@ -33,8 +33,8 @@ class Engine {
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
-    /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as it
-    /// was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
+    /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as
+    /// it was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
     void set_session(const Session& next);
     /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`.
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
@@ -48,6 +48,8 @@ class Engine {
 
     /// Fetches results and starts what follows from them. Call it often; true where the state changed.
     bool poll();
+    /// Polls until the picture answers the session, at least as a preview, or `seconds` have passed.
+    void wait_for_picture(double seconds);
     [[nodiscard]] const EngineState& state() const { return state_; }
 
     /// Seconds since the engine was made.
@@ -62,6 +64,8 @@ class Engine {
     void start_trace();
     void receive(TracedFrame traced);
     void start_paint();
+    void show(Picture picture);
+    void fail_paint(const std::string& why, const ViewConfig& view);
     void start_duel();
     void receive(const DuelReply& reply);
     void stop_duel();
@@ -76,11 +80,12 @@ class Engine {
     std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
     TracedFrame traced_;                        // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
-    std::uint64_t trace_generation_ = 0;                          // the last one that asked for another frame
-    std::uint64_t trace_ticket_ = 0;                              // of the trace started last
+    std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
+    std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
+    std::uint64_t trace_ticket_ = 0;      // of the trace started last
     std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0;  // written by the threads at work
-    std::uint64_t duel_failed_at_ = ~std::uint64_t(0);
-    std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
+    TraceRequest duel_failed_;                                    // its world and configuration cannot be timed
+    std::uint64_t duel_of_ = 0;                                   // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
     bool duelling_ = false;
     bool duel_warm_ = false;  // the next round is the first that counts

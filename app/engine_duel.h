@@ -26,7 +26,7 @@ struct DuelState {
     std::array<TimeSummary, pass_count> passes;
     std::string cpu_clock, gl_clock;
     Traversal traversal = Traversal::stack;  // of the frame timed
-    bool outdated = true;  // the rounds are of a frame that is no longer shown
+    bool outdated = true;                    // the rounds are of a frame that is no longer shown
     bool running = false;
 
     /// Drops the oldest beyond `history` rounds and summarises again.

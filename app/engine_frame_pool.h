@@ -1,5 +1,5 @@
-// Frames that are used again: a frame of a full-screen window takes hundreds of megabytes, and clearing it takes longer than
-// tracing it coarsely.
+// Frames that are used again: a frame of a full-screen window takes hundreds of megabytes, and clearing it takes longer
+// than tracing it coarsely.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace kd {
 
-/// Gives out frames whose pixels hold whatever was traced into them before. A frame comes back when its last owner lets go, on
-/// any thread.
+/// Gives out frames whose pixels hold whatever was traced into them before. A frame comes back when its last owner lets
+/// go, on any thread.
 class FramePool {
   public:
     [[nodiscard]] std::shared_ptr<Frame> take(int width, int height) {

@@ -10,6 +10,33 @@ namespace {
 /// Lines on a preview are drawn at no less than half of the picture's resolution: coarser ones could not be read.
 constexpr int coarsest_lines = 2;
 
+/// Of a sketch: every so many pixels along both sides.
+constexpr int sketch_step = 4;
+
+template <class T>
+Image<T> thin_out(const Image<T>& image) {
+    Image<T> result((image.width + sketch_step - 1) / sketch_step, (image.height + sketch_step - 1) / sketch_step);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) result.at(x, y) = image.at(x * sketch_step, y * sketch_step);
+    return result;
+}
+
+/// The rays that `view` shows and the primary ones, thinned out.
+TracedFrame thin_out(const TracedFrame& traced, const ViewConfig& view) {
+    auto frame = std::make_shared<Frame>();
+    frame->colour = thin_out(traced.frame->colour);
+    frame->width = frame->colour.width;
+    frame->height = frame->colour.height;
+    for (const Pass pass : {Pass::rt_prim, view.map.rays}) {
+        frame->layer(pass).hit = thin_out(traced.frame->layer(pass).hit);
+        frame->layer(pass).counters = thin_out(traced.frame->layer(pass).counters);
+    }
+    TracedFrame result = traced;
+    result.frame = std::move(frame);
+    result.scale *= sketch_step;
+    return result;
+}
+
 template <class T>
 Image<T> enlarge(const Image<T>& image, int factor) {
     Image<T> result(image.width * factor, image.height * factor);
@@ -62,6 +89,15 @@ Picture paint(const PaintRequest& request) {
     if (map) picture.map = meaning_of(std::move(*map));
     picture.traced = request.traced;
     picture.generation = request.generation;
+    return picture;
+}
+
+Picture paint_sketch(const PaintRequest& request) {
+    PaintRequest thin = request;
+    thin.traced = thin_out(request.traced, request.view);
+    Picture picture = paint(thin);
+    picture.traced = request.traced;
+    picture.sketch = true;
     return picture;
 }
 

@@ -14,4 +14,7 @@ struct PaintRequest {
 /// InputError as view_map().
 [[nodiscard]] Picture paint(const PaintRequest& request);
 
+/// The same from one of 4 x 4 pixels: some sixteen times faster, for the moment until paint() is done.
+[[nodiscard]] Picture paint_sketch(const PaintRequest& request);
+
 }  // namespace kd

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double quiet_before_duel_s = 0.6;
 constexpr double longest_duel_pause_s = 2;
+constexpr double longest_paint_ms = 40;  // above it a sketch comes first
 
 bool asks_for(const Session& session, const LoadedScene& scene) {
     return session.scene == scene.name && session.seed == scene.seed;
@@ -176,33 +177,40 @@ void Engine::start_paint() {
     PaintRequest request{traced_, state_.session.view, 0};
     const bool answers = traced_.generation >= trace_generation_ && traced_.generation > 0;
     request.generation = answers ? state_.generation : traced_.generation;
-    painter_.submit([this, request](const std::stop_token&) {
-        std::shared_ptr<const Picture> picture;
-        std::string error;
+    const bool sketch_first = traced_.scale == 1 && paint_ms_ > longest_paint_ms;
+    painter_.submit([this, request, sketch_first](const std::stop_token& stop) {
         try {
-            picture = std::make_shared<Picture>(paint(request));
+            if (sketch_first) show(paint_sketch(request));
+            if (sketch_first && stop.stop_requested()) return;  // something newer is wanted already
+            Picture picture;
+            const double ms = wall_ms([&] { picture = paint(request); });
+            if (request.traced.scale == 1) paint_ms_ = ms;
+            show(std::move(picture));
         } catch (const std::exception& e) {
-            error = e.what();
+            mailbox_.post([this, error = std::string(e.what()), view = request.view] { fail_paint(error, view); });
         }
-        mailbox_.post([this, picture, error, view = request.view] {
-            if (picture) {
-                state_.picture = picture;
-                read_probes();
-                return;
-            }
-            say(true, error);
-            if (state_.picture && state_.session.view == view) {
-                Session back = state_.session;
-                back.view = state_.picture->view;
-                set_session(back);
-            }
-        });
     });
+}
+
+void Engine::show(Picture picture) {
+    mailbox_.post([this, shown = std::make_shared<const Picture>(std::move(picture))] {
+        state_.picture = shown;
+        read_probes();
+    });
+}
+
+void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
+    say(true, why);
+    if (!state_.picture || state_.session.view != view) return;
+    Session back = state_.session;
+    back.view = state_.picture->view;
+    set_session(back);
 }
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (tracer_.busy() || painter_.busy() || duel_failed_at_ == trace_generation_) return;
+    if (tracer_.busy() || painter_.busy()) return;
+    if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
     if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
     duelling_ = true;
@@ -216,13 +224,13 @@ void Engine::start_duel() {
         } catch (const std::exception& e) {
             error = e.what();
         }
-        mailbox_.post([this, reply, error, took, generation] {
+        mailbox_.post([this, reply, error, took, request, generation] {
             duelling_ = state_.duel.running = false;
             duel_ended_ = now();
             duel_took_ = took;
             if (!error.empty()) {
                 say(true, "timing: " + error);
-                duel_failed_at_ = generation;
+                duel_failed_ = request;
             }
             if (reply && generation == trace_generation_) receive(*reply);
         });

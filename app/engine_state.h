@@ -42,6 +42,7 @@ struct Picture {
     ViewConfig view;
     std::optional<MapMeaning> map;
     TracedFrame traced;
+    bool sketch = false;           // painted from some of the frame's pixels, because all of them take long
     std::uint64_t generation = 0;  // EngineState::generation that it answers
 };
 
@@ -92,7 +93,7 @@ struct EngineState {
 
     /// The picture is not yet (all of) what the session asks for.
     [[nodiscard]] bool stale() const {
-        return !picture || picture->generation != generation || picture->traced.scale != 1;
+        return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
     [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active; }
 };

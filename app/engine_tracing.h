@@ -42,8 +42,8 @@ class Tracing {
     /// Opens GL where there is some, once.
     const GlStatus& open();
 
-    /// Frames of the request, coarse to fine, each handed to `publish`; ends early where stopped. InputError, GlError and
-    /// ContextError where the tracer cannot do it.
+    /// Frames of the request, coarse to fine, each handed to `publish`; ends early where stopped. InputError, GlError
+    /// and ContextError where the tracer cannot do it.
     void trace(const TraceRequest& request, const std::stop_token& stop,
                const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
 

@@ -2,10 +2,26 @@
 
 #include <utility>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 namespace kd {
 
-Worker::Worker(std::function<void()> at_exit)
-    : at_exit_(std::move(at_exit)), thread_([this](const std::stop_token& quit) { run(quit); }) {}
+namespace {
+
+/// Of the calling thread, and so of the threads that it will make. On Linux alone is this a property of threads.
+void step_back() {
+#ifdef __linux__
+    constexpr int nice = 10;
+    (void)setpriority(PRIO_PROCESS, 0, nice);  // refused: then it does not
+#endif
+}
+
+}  // namespace
+
+Worker::Worker(Priority priority, std::function<void()> at_exit)
+    : at_exit_(std::move(at_exit)), thread_([this, priority](const std::stop_token& quit) { run(quit, priority); }) {}
 
 Worker::~Worker() {
     cancel();
@@ -31,7 +47,8 @@ bool Worker::busy() const {
     return running_ || next_ != nullptr;
 }
 
-void Worker::run(const std::stop_token& quit) {
+void Worker::run(const std::stop_token& quit, Priority priority) {
+    if (priority == Priority::low) step_back();
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, quit, [this] { return next_ != nullptr; })) {
         const Job job = std::exchange(next_, nullptr);

@@ -13,8 +13,11 @@ class Worker {
   public:
     using Job = std::function<void(std::stop_token)>;
 
+    /// Long work steps back for whoever waits in front of the window. Threads that the jobs start do the same.
+    enum class Priority { normal, low };
+
     /// `at_exit` runs on the worker's thread after its last job: for what must die on the thread that made it.
-    explicit Worker(std::function<void()> at_exit = {});
+    explicit Worker(Priority priority = Priority::normal, std::function<void()> at_exit = {});
     /// Stops the running job and waits for it.
     ~Worker();
     Worker(const Worker&) = delete;
@@ -28,7 +31,7 @@ class Worker {
     [[nodiscard]] bool busy() const;
 
   private:
-    void run(const std::stop_token& quit);
+    void run(const std::stop_token& quit, Priority priority);
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;

@@ -35,7 +35,8 @@ Json json_of(const BuildConfig& b) {
             {"leaf_size", b.leaf_size},
             {"max_depth", b.max_depth},
             {"bad_refines", b.bad_refines},
-            {"reference_cap", json_number(b.reference_cap)}};
+            {"reference_cap", json_number(b.reference_cap)},
+            {"trim_leaves", b.trim_leaves}};
 }
 
 Json json_of(const ViewConfig& view) {

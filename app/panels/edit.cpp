@@ -85,9 +85,7 @@ void switch_tracer(const EngineState& state, Edit& edit) {
     edit.session.tracer = edit.session.tracer == TracerKind::cpu ? TracerKind::gl_fragment : TracerKind::cpu;
 }
 
-void pin(Edit& edit) {
-    edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered;
-}
+void pin(Edit& edit) { edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered; }
 
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     if (!edit.window.pinned) return;

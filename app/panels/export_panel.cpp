@@ -13,7 +13,8 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     const bool ready = state.picture && !state.stale();
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     const auto button = [&](const char* label, Action action, const char* tooltip) {
-        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, half)) edit.do_once(action);
+        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, half))
+            edit.do_once(action);
     };
     button("figure", Action::export_figure, "PNG with title, legend and a caption that names every setting. Key F12.");
     ImGui::SameLine();

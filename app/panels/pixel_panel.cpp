@@ -13,9 +13,12 @@ namespace {
 
 void draw_hit(const PassReading& ray) {
     const bool hit = ray.hit.triangle >= 0;
-    widgets::value("triangle", hit ? fmt::format("#{}", ray.hit.triangle) : "none", "Number of the triangle that the ray hit first.");
-    widgets::value("distance t", hit ? number_text(double(ray.hit.t)) : "–", "From the eye to the hit, in scene units.");
-    widgets::value("u, v", hit ? fmt::format("{:.3f}, {:.3f}", ray.hit.u, ray.hit.v) : "–", "Barycentric coordinates in the triangle.");
+    widgets::value("triangle", hit ? fmt::format("#{}", ray.hit.triangle) : "none",
+                   "Number of the triangle that the ray hit first.");
+    widgets::value("distance t", hit ? number_text(double(ray.hit.t)) : "–",
+                   "From the eye to the hit, in scene units.");
+    widgets::value("u, v", hit ? fmt::format("{:.3f}, {:.3f}", ray.hit.u, ray.hit.v) : "–",
+                   "Barycentric coordinates in the triangle.");
     widgets::value("ended by", std::string(exit_reason_name(ray.counters.exit_reason)),
                    "Hit and miss are answers; anything else means that the ray was given up.",
                    ray.counters.exit_reason > uint(KD_EXIT_HIT) ? theme::error : 0);
@@ -25,7 +28,8 @@ void draw_counters(const PassReading& ray) {
     const RayCounters& c = ray.counters;
     const uint nodes = c.interior_first + c.interior_again;
     widgets::value("interior nodes", number_text(nodes), "Visits of interior nodes, repeated ones included.");
-    widgets::value("  of these again", number_text(c.interior_again), "Visits beyond the first: the price of having no stack.");
+    widgets::value("  of these again", number_text(c.interior_again),
+                   "Visits beyond the first: the price of having no stack.");
     widgets::value("leaves", number_text(c.leaves), "Leaf cells that the ray passed, empty ones included.");
     widgets::value("triangle tests", number_text(c.triangle_tests), "Ray-triangle tests.");
     widgets::value("restarts", number_text(c.restarts), "Returns to the root (kd-restart).");
@@ -58,8 +62,8 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
         return;
     }
     const bool pinned = state.pinned.has_value();
-    widgets::value("pixel", fmt::format("{}, {}", reading->pixel.x, reading->pixel.y), "Column and row, from the top left corner.",
-                   pinned ? theme::selected : 0);
+    widgets::value("pixel", fmt::format("{}, {}", reading->pixel.x, reading->pixel.y),
+                   "Column and row, from the top left corner.", pinned ? theme::selected : 0);
     const PassReading& ray = reading->primary();
     if (reading->scale > 1) widgets::note(fmt::format("preview, 1 of {0} × {0} pixels", reading->scale));
     draw_hit(ray);

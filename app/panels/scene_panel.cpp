@@ -28,7 +28,8 @@ void draw_scene_panel(const EngineState& state, Edit& edit) {
     widgets::value("lights", number_text(double(scene.lights.size())), "Each light costs one shadow ray per hit.");
     widgets::value("materials", number_text(double(scene.materials.size())),
                    "A reflective material makes the reflection passes necessary.");
-    if (!scene.textures.empty()) widgets::value("textures", number_text(double(scene.textures.size())), "Images on surfaces.");
+    if (!scene.textures.empty())
+        widgets::value("textures", number_text(double(scene.textures.size())), "Images on surfaces.");
     widgets::value("size", size_text(scene.bounds), "Extent of all triangles along x, y and z, in scene units.");
     if (takes_seed(edit.session.scene)) {
         int seed = int(edit.session.seed);

@@ -57,16 +57,20 @@ void draw_passes(const DuelState& duel) {
     ImGui::BeginGroup();
     for (std::size_t p = 0; p < pass_count; ++p) {
         const bool ran = duel.passes[p].samples > 0;
-        widgets::value(pass_names[p].data(), ran ? ms_text(duel.passes[p].median_ms) : duel.gl.samples > 0 ? "left out" : "–",
+        widgets::value(pass_names[p].data(),
+                       ran                   ? ms_text(duel.passes[p].median_ms)
+                       : duel.gl.samples > 0 ? "left out"
+                                             : "–",
                        "Median time of this pass on the GPU.", ran ? shade(duel, theme::gpu) : theme::dim_text);
     }
     ImGui::EndGroup();
 }
 
 std::string clocks(const EngineState& state) {
-    std::string text = fmt::format("Both trace the frame that is shown, in turn, without counters; median and middle half of the last {} "
-                                   "rounds. Pauses while you work.\nCPU clock: {}.",
-                                   DuelState::history, state.duel.cpu_clock.empty() ? "steady clock" : state.duel.cpu_clock);
+    std::string text = fmt::format(
+        "Both trace the frame that is shown, in turn, without counters; median and middle half of the last {} "
+        "rounds. Pauses while you work.\nCPU clock: {}.",
+        DuelState::history, state.duel.cpu_clock.empty() ? "steady clock" : state.duel.cpu_clock);
     if (!state.duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", state.duel.gl_clock);
     if (state.gl.software) text += "\nThis GPU is a program: llvmpipe runs the shaders on the CPU.";
     return text;
@@ -88,7 +92,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const DuelState& duel = state.duel;
     const Traversal timed = duel.rounds.empty() ? state.session.trace.traversal : duel.traversal;
     const std::string traversal(info(timed).name);
-    const std::string waiting = edit.window.timing ? "measured when idle" : "timing is off";
+    const std::string waiting = edit.window.timing ? "when idle" : "timing is off";
     const std::string no_gpu = !state.gl.known || state.gl.available() ? waiting : "no OpenGL 4.3";
 
     ImGui::Columns(5, "time", false);

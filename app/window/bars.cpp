@@ -33,7 +33,8 @@ std::vector<SceneChoice> scene_choices() {
         for (const int size : {scene.default_size, 10 * scene.default_size})
             if (size <= scene.largest_size) choices.push_back({fmt::format("{}:{}", base, size), summary});
     }
-    for (const auto& file : shipped_scenes()) choices.push_back({file.filename().string(), "A file that comes with the program."});
+    for (const auto& file : shipped_scenes())
+        choices.push_back({file.filename().string(), "A file that comes with the program."});
     return choices;
 }
 
@@ -43,7 +44,8 @@ void draw_scene_combo(Edit& edit) {
     ImGui::SetNextWindowSizeConstraints({width, 0}, {1e4f, theme::px(480)});
     if (ImGui::BeginCombo("##scene", edit.session.scene.c_str(), ImGuiComboFlags_HeightLargest)) {
         for (const SceneChoice& choice : scene_choices()) {
-            if (ImGui::Selectable(choice.name.c_str(), choice.name == edit.session.scene)) edits::choose_scene(edit, choice.name);
+            if (ImGui::Selectable(choice.name.c_str(), choice.name == edit.session.scene))
+                edits::choose_scene(edit, choice.name);
             widgets::hint(choice.summary);
         }
         ImGui::EndCombo();
@@ -59,9 +61,11 @@ void draw_modes(Edit& edit) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, 0});
     if (widgets::segment("Beauty", !view.show_map, "The image alone. Key H.")) edits::show_beauty(edit);
     ImGui::SameLine();
-    if (widgets::segment("Heat", view.show_map && !tiles, "What each pixel's rays cost. Key H.")) edits::show_heat(edit);
+    if (widgets::segment("Heat", view.show_map && !tiles, "What each pixel's rays cost. Key H."))
+        edits::show_heat(edit);
     ImGui::SameLine();
-    if (widgets::segment("Divergence", view.show_map && tiles, "What pixels lose by waiting for their neighbours in a SIMD group. Key D."))
+    if (widgets::segment("Divergence", view.show_map && tiles,
+                         "What pixels lose by waiting for their neighbours in a SIMD group. Key D."))
         edits::show_divergence(edit);
     ImGui::PopStyleVar();
     ImGui::SameLine(0, theme::px(12));
@@ -74,13 +78,18 @@ std::string machines_text(const EngineState& state) {
                             : state.gl.available() ? state.gl.renderer + ", OpenGL " + state.gl.version
                                                    : "none: " + state.gl.unavailable;
     return fmt::format("The picture is traced on the {}. Click or V: the other machine.\n\nCPU: {}\nGPU: {}",
-                       state.session.tracer == TracerKind::cpu ? "CPU" : "GPU", cpu_renderer(state.session.threads), gpu);
+                       state.session.tracer == TracerKind::cpu ? "CPU" : "GPU", cpu_renderer(state.session.threads),
+                       gpu);
 }
 
 /// "CPU, stack" or "GPU, restart", in its accent, and on what.
 void draw_badge(const EngineState& state, Edit& edit) {
     const bool cpu = state.session.tracer == TracerKind::cpu;
-    const std::string what = fmt::format("{} · {}", cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU", info(state.session.trace.traversal).name);
+    const std::string what = fmt::format("{} · {}",
+                                         cpu                 ? "CPU"
+                                         : state.gl.software ? "GPU (software)"
+                                                             : "GPU",
+                                         info(state.session.trace.traversal).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float width = ImGui::CalcTextSize(what.c_str()).x + theme::px(24);
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - help - theme::px(24)));
@@ -101,8 +110,9 @@ std::string status_text(const EngineState& state) {
     if (!state.picture) return "starting";
     const TracedFrame& traced = state.picture->traced;
     const double rays = double(traced.frame->width) * double(traced.frame->height);
-    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms", state.session.width, state.session.height,
-                       number_text(rays), number_text(traced.milliseconds), number_text(state.last_build_ms));
+    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms", state.session.width,
+                       state.session.height, number_text(rays), number_text(traced.milliseconds),
+                       number_text(state.last_build_ms));
 }
 
 /// The bar of the work that takes longest now.
@@ -126,14 +136,16 @@ void begin_area(const char* name, const Rectangle& area, ImVec2 padding, ImGuiWi
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | more |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | more |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
 }
 
 void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
-    begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)}, ImGuiWindowFlags_NoScrollbar);
+    begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)},
+               ImGuiWindowFlags_NoScrollbar);
     ImGui::PushFont(theme::font(theme::Type::heading));
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("kdscope");
@@ -147,7 +159,8 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
 }
 
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {
-    begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)}, ImGuiWindowFlags_NoScrollbar);
+    begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)},
+               ImGuiWindowFlags_NoScrollbar);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
     ImGui::TextUnformatted(status_text(state).c_str());
     ImGui::PopStyleColor();

@@ -41,7 +41,8 @@ Camera orbit(const Camera& camera, float right, float down) {
     const dvec3 out = -axes.forward;
     // Spherical coordinates about `up`: height above its equator, and the direction in the equator's plane.
     const double limit = 0.5 * glm::pi<double>() - 0.01;
-    const double height = std::clamp(std::asin(std::clamp(glm::dot(out, pole), -1.0, 1.0)) + double(down), -limit, limit);
+    const double height =
+        std::clamp(std::asin(std::clamp(glm::dot(out, pole), -1.0, 1.0)) + double(down), -limit, limit);
     const dvec3 side = axes.right;
     const dvec3 front = glm::cross(side, pole);  // in the plane, towards the eye
     const double turn = -double(right);

@@ -26,7 +26,8 @@ void EventLog::presented(const Picture* picture, double now) {
     const std::uint64_t shown = picture ? picture->generation : 0;
     std::erase_if(waiting_, [&](const Event& e) {
         if (e.generation == 0 || e.generation > shown) return false;
-        file_ << fmt::format("{},{},{:.2f},{:.2f},{:.2f}\n", e.id, e.kind, 1e3 * e.time, 1e3 * now, 1e3 * (now - e.time));
+        file_ << fmt::format("{},{},{:.2f},{:.2f},{:.2f}\n", e.id, e.kind, 1e3 * e.time, 1e3 * now,
+                             1e3 * (now - e.time));
         return true;
     });
     if (file_.is_open()) file_.flush();

@@ -10,8 +10,8 @@
 
 namespace kd {
 
-/// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is (at
-/// least a preview) of the session that the event led to.
+/// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is
+/// (at least a preview) of the session that the event led to.
 class EventLog {
   public:
     /// Throws InputError where `path` cannot be written; empty: off.

@@ -17,9 +17,11 @@ namespace kd {
 [[nodiscard]] nlohmann::ordered_json summary_json(const EngineState& state);
 
 /// Everything but Action::export_window. Returns the path written. InputError.
-[[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state, const std::string& folder, const Font& font);
+[[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state, const std::string& folder,
+                                                const Font& font);
 
 /// A picture of the whole window, rows from the top. InputError.
-[[nodiscard]] std::filesystem::path export_window(const Image<Rgba8>& window, const EngineState& state, const std::string& folder);
+[[nodiscard]] std::filesystem::path export_window(const Image<Rgba8>& window, const EngineState& state,
+                                                  const std::string& folder);
 
 }  // namespace kd

@@ -41,7 +41,8 @@ std::string glfw_error() {
 }
 
 /// The first of the versions that there is; null where none is.
-GLFWwindow* try_versions(const std::string& title, int width, int height, std::initializer_list<std::pair<int, int>> versions) {
+GLFWwindow* try_versions(const std::string& title, int width, int height,
+                         std::initializer_list<std::pair<int, int>> versions) {
     for (const auto& [major, minor] : versions) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);

@@ -24,8 +24,8 @@ class GlfwWindow {
     /// Of the display: 1 on ordinary ones, 2 on dense ones. $KDSCOPE_SCALE overrides it.
     [[nodiscard]] float content_scale() const;
 
-    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called once, on the thread that will use it, and
-    /// let go on that thread. ContextError where there is none.
+    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called once, on the thread that will use
+    /// it, and let go on that thread. ContextError where there is none.
     [[nodiscard]] std::function<std::unique_ptr<Context>()> tracing_context() const;
 
   private:

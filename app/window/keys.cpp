@@ -16,14 +16,19 @@ void change_depth(Edit& edit, int by) {
 }
 
 void toggle_heat(Edit& edit) {
-    if (edit.session.view.show_map) edits::show_beauty(edit);
-    else edits::show_heat(edit);
+    if (edit.session.view.show_map)
+        edits::show_beauty(edit);
+    else
+        edits::show_heat(edit);
 }
 
 void leave(Edit& edit) {
-    if (edit.window.help) edit.window.help = false;
-    else if (edit.window.pinned) edit.window.pinned.reset();
-    else edit.do_once(Action::dismiss_messages);
+    if (edit.window.help)
+        edit.window.help = false;
+    else if (edit.window.pinned)
+        edit.window.pinned.reset();
+    else
+        edit.do_once(Action::dismiss_messages);
 }
 
 using State = const EngineState&;
@@ -43,7 +48,8 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_C, false, "C", see, "next colours", [](State, Edit& e) { edits::next_colormap(e); }},
     {GLFW_KEY_G, false, "G", see, "logarithmic or linear scale",
      [](State, Edit& e) { e.session.view.heat.logarithmic = !e.session.view.heat.logarithmic; }},
-    {GLFW_KEY_N, false, "N", see, "normalise: automatic range", [](State s, Edit& e) { edits::lock_range(s, e, false); }},
+    {GLFW_KEY_N, false, "N", see, "normalise: automatic range",
+     [](State s, Edit& e) { edits::lock_range(s, e, false); }},
     {GLFW_KEY_L, false, "L", see, "lock the range, or let it go",
      [](State s, Edit& e) { edits::lock_range(s, e, e.session.view.heat.range_mode == RangeMode::automatic); }},
 
@@ -52,15 +58,18 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_V, false, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
 
     {GLFW_KEY_P, false, "P", pixel, "pin the pixel under the mouse", [](State, Edit& e) { edits::pin(e); }},
-    {GLFW_KEY_LEFT, false, "Left", pixel, "pinned pixel to the left", [](State s, Edit& e) { edits::move_pin(s, e, -1, 0); }},
-    {GLFW_KEY_RIGHT, false, "Right", pixel, "pinned pixel to the right", [](State s, Edit& e) { edits::move_pin(s, e, 1, 0); }},
+    {GLFW_KEY_LEFT, false, "Left", pixel, "pinned pixel to the left",
+     [](State s, Edit& e) { edits::move_pin(s, e, -1, 0); }},
+    {GLFW_KEY_RIGHT, false, "Right", pixel, "pinned pixel to the right",
+     [](State s, Edit& e) { edits::move_pin(s, e, 1, 0); }},
     {GLFW_KEY_UP, false, "Up", pixel, "pinned pixel up", [](State s, Edit& e) { edits::move_pin(s, e, 0, -1); }},
     {GLFW_KEY_DOWN, false, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
     {GLFW_KEY_F, false, "F", pixel, "look at the pixel's hit", [](State s, Edit& e) { edits::focus(s, e); }},
     {GLFW_KEY_R, false, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
 
     {GLFW_KEY_U, false, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
-    {GLFW_KEY_F12, false, "F12", window, "save a figure (PNG)", [](State, Edit& e) { e.do_once(Action::export_figure); }},
+    {GLFW_KEY_F12, false, "F12", window, "save a figure (PNG)",
+     [](State, Edit& e) { e.do_once(Action::export_figure); }},
     {GLFW_KEY_F1, false, "F1", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
     {GLFW_KEY_SLASH, true, "?", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
     {GLFW_KEY_ESCAPE, false, "Esc", window, "close help, release pixel", [](State, Edit& e) { leave(e); }},

@@ -20,8 +20,8 @@ struct Layout {
     Rectangle top, left, picture, right, bottom, status;
 };
 
-/// Divides the window. `panels` off gives everything but the top and status line to the picture. The picture keeps at least
-/// 40 % of the width and 30 % of the height, whatever the sizes say.
+/// Divides the window. `panels` off gives everything but the top and status line to the picture. The picture keeps at
+/// least 40 % of the width and 30 % of the height, whatever the sizes say.
 [[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels);
 
 /// The three splitters; true while one is dragged, which changes `sizes`.

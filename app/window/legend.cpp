@@ -38,7 +38,8 @@ class Card {
                 x += theme::px(15);
             }
             list_->AddText({x, y_}, theme::dim_text, label.c_str());
-            list_->AddText({corner_.x + width() - ImGui::CalcTextSize(value.c_str()).x, y_}, theme::text, value.c_str());
+            list_->AddText({corner_.x + width() - ImGui::CalcTextSize(value.c_str()).x, y_}, theme::text,
+                           value.c_str());
         }
         y_ += line + theme::px(2);
     }
@@ -79,9 +80,11 @@ void draw_colours(ImDrawList& list, ImVec2 top, const Colormap& colours, const M
         list.AddRectFilled({left, y}, {right, y + 1}, colour_of(colours(1 - (float(i) + 0.5f) / height)));
     }
     const float middle = (left + right) / 2;
-    if (summary.above > 0) list.AddTriangleFilled({left, top.y}, {middle, top.y - theme::px(cap)}, {right, top.y}, colour_of(colours(1)));
+    if (summary.above > 0)
+        list.AddTriangleFilled({left, top.y}, {middle, top.y - theme::px(cap)}, {right, top.y}, colour_of(colours(1)));
     const float base = top.y + height;
-    if (summary.below > 0) list.AddTriangleFilled({left, base}, {right, base}, {middle, base + theme::px(cap)}, colour_of(colours(0)));
+    if (summary.below > 0)
+        list.AddTriangleFilled({left, base}, {right, base}, {middle, base + theme::px(cap)}, colour_of(colours(0)));
 }
 
 void draw_ticks(ImDrawList& list, ImVec2 top, const MapMeaning& map, bool logarithmic) {
@@ -98,8 +101,10 @@ void draw_ticks(ImDrawList& list, ImVec2 top, const MapMeaning& map, bool logari
 
 void add_exceptions(Card& card, const MapSummary& s, const Colormap& colours) {
     const double all = double(s.count + s.missing + s.broken);
-    if (s.above > 0) card.row("> " + number_text(double(s.range.max)), percent_text(double(s.above), all), colour_of(colours(1)));
-    if (s.below > 0) card.row("< " + number_text(double(s.range.min)), percent_text(double(s.below), all), colour_of(colours(0)));
+    if (s.above > 0)
+        card.row("> " + number_text(double(s.range.max)), percent_text(double(s.above), all), colour_of(colours(1)));
+    if (s.below > 0)
+        card.row("< " + number_text(double(s.range.min)), percent_text(double(s.below), all), colour_of(colours(0)));
     if (s.missing > 0) card.row("no value", percent_text(double(s.missing), all), colour_of(untraced_colour));
     if (s.broken > 0) card.row("not finite", percent_text(double(s.broken), all), colour_of(nan_colour));
 }
@@ -108,7 +113,8 @@ std::string scale_words(const MapMeaning& map, const HeatmapConfig& heat) {
     std::string words = map.labels.subject;
     if (!map.labels.unit.empty()) words += ", " + map.labels.unit;
     if (heat.logarithmic) words += ", log";
-    if (heat.range_mode != RangeMode::automatic) words += heat.range_mode == RangeMode::locked ? ", range locked" : ", range fixed";
+    if (heat.range_mode != RangeMode::automatic)
+        words += heat.range_mode == RangeMode::locked ? ", range locked" : ", range fixed";
     return words;
 }
 
@@ -133,7 +139,8 @@ void add_categories(Card& card, const MapMeaning& map) {
     const double all = double(map.summary.count + map.summary.missing + map.summary.broken);
     card.gap(6);
     for (std::size_t i = 0; i < map.labels.categories.size(); ++i)
-        card.row(map.labels.categories[i], percent_text(double(map.category_pixels[i]), all), colour_of(category_colour(int(i))));
+        card.row(map.labels.categories[i], percent_text(double(map.category_pixels[i]), all),
+                 colour_of(category_colour(int(i))));
 }
 
 /// One swatch for each depth from the root's to the deepest shown.
@@ -145,7 +152,8 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
         const float step = Card::width() / float(last + 1);
         for (int depth = 0; depth <= last; ++depth) {
             const float x = top.x + step * float(depth);
-            list.AddRectFilled({x, top.y}, {x + step - 1, top.y + theme::px(10)}, colour_of(depth_colour(depth, overlay.max_depth)));
+            list.AddRectFilled({x, top.y}, {x + step - 1, top.y + theme::px(10)},
+                               colour_of(depth_colour(depth, overlay.max_depth)));
         }
     });
     card.row("0: root", std::to_string(last));
@@ -156,8 +164,10 @@ float add_all(ImDrawList* list, ImVec2 corner, const Picture& picture) {
     if (picture.map) {
         card.text(picture.map->labels.title, theme::text, theme::font(theme::Type::body));
         card.text(scale_words(*picture.map, picture.view.heat), theme::dim_text, theme::font(theme::Type::body));
-        if (picture.map->labels.categories.empty()) add_quantity(card, *picture.map, picture.view.heat);
-        else add_categories(card, *picture.map);
+        if (picture.map->labels.categories.empty())
+            add_quantity(card, *picture.map, picture.view.heat);
+        else
+            add_categories(card, *picture.map);
     }
     if (picture.view.overlay.show) {
         if (picture.map) card.gap(6);

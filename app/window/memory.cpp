@@ -15,7 +15,8 @@ namespace {
 
 /// Empty where the machine names no place for it.
 fs::path memory_file() {
-    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config) return fs::path(config) / "kdscope/window.json";
+    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
+        return fs::path(config) / "kdscope/window.json";
     if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".config/kdscope/window.json";
     return {};
 }

@@ -18,7 +18,8 @@ void draw_grid(ImDrawList& list, ImVec2 low, ImVec2 high, float top, const char*
         const float share = float(i) / grid_lines;
         const float y = std::round(high.y + (low.y - high.y) * share);
         list.AddLine({low.x, y}, {high.x, y}, theme::line);
-        const std::string text = fmt::format("{:g}{}{}", double(top * share), i == grid_lines ? " " : "", i == grid_lines ? unit : "");
+        const std::string text =
+            fmt::format("{:g}{}{}", double(top * share), i == grid_lines ? " " : "", i == grid_lines ? unit : "");
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         const float text_y = std::clamp(y - size.y / 2, low.y - theme::px(2), high.y - text_height + theme::px(2));
         list.AddText({low.x - size.x - theme::px(6), text_y}, theme::dim_text, text.c_str());
@@ -31,7 +32,8 @@ void draw_series(ImDrawList& list, ImVec2 low, ImVec2 high, const Series& series
     ImVec2 before{};
     for (std::size_t i = 0; i < count; ++i) {
         const float value = series.values[series.values.size() - count + i];
-        const ImVec2 point{high.x - step * float(count - 1 - i), high.y - (high.y - low.y) * std::clamp(value / top, 0.0f, 1.0f)};
+        const ImVec2 point{high.x - step * float(count - 1 - i),
+                           high.y - (high.y - low.y) * std::clamp(value / top, 0.0f, 1.0f)};
         if (i > 0) list.AddLine(before, point, series.colour, theme::px(1.5f));
         if (i + 1 == count) list.AddCircleFilled(point, theme::px(3), series.colour);
         before = point;

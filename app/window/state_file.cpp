@@ -14,8 +14,11 @@ Json json_of(const std::optional<PixelReading>& reading) {
     for (std::size_t p = 0; p < pass_count; ++p) {
         const PassReading& ray = reading->passes[p];
         if (!ray.traced) continue;
-        Json numbers{{"triangle", ray.hit.triangle}, {"t", json_number(ray.hit.t)}, {"exit", exit_reason_name(ray.counters.exit_reason)}};
-        for (const CounterInfo& counter : counter_table()) numbers[std::string(counter.name)] = ray.counters.*counter.field;
+        Json numbers{{"triangle", ray.hit.triangle},
+                     {"t", json_number(ray.hit.t)},
+                     {"exit", exit_reason_name(ray.counters.exit_reason)}};
+        for (const CounterInfo& counter : counter_table())
+            numbers[std::string(counter.name)] = ray.counters.*counter.field;
         result[json_key(ray_names[p])] = numbers;
     }
     return result;

@@ -13,7 +13,9 @@ namespace {
 constexpr float body_size = 13, heading_size = 15, title_size = 20;
 
 void set_colours(ImGuiStyle& style) {
-    const auto set = [&](ImGuiCol which, ImU32 colour) { style.Colors[which] = ImGui::ColorConvertU32ToFloat4(colour); };
+    const auto set = [&](ImGuiCol which, ImU32 colour) {
+        style.Colors[which] = ImGui::ColorConvertU32ToFloat4(colour);
+    };
     set(ImGuiCol_Text, text);
     set(ImGuiCol_TextDisabled, dim_text);
     set(ImGuiCol_WindowBg, background);

@@ -9,15 +9,14 @@ namespace kd::theme {
 inline constexpr ImU32 cpu = IM_COL32(86, 180, 233, 255);
 inline constexpr ImU32 gpu = IM_COL32(230, 159, 0, 255);
 inline constexpr ImU32 selected = IM_COL32(204, 121, 167, 255);
-inline constexpr ImU32 warning = IM_COL32(240, 228, 66, 255);
 inline constexpr ImU32 error = IM_COL32(213, 94, 0, 255);
 
 inline constexpr ImU32 text = IM_COL32(232, 232, 234, 255);
 inline constexpr ImU32 dim_text = IM_COL32(163, 163, 171, 255);
 inline constexpr ImU32 background = IM_COL32(27, 27, 31, 255);
-inline constexpr ImU32 sunken = IM_COL32(19, 19, 22, 255);   // plots, the picture's surroundings
-inline constexpr ImU32 raised = IM_COL32(52, 52, 58, 255);   // controls
-inline constexpr ImU32 bright = IM_COL32(78, 78, 86, 255);   // controls under the mouse
+inline constexpr ImU32 sunken = IM_COL32(19, 19, 22, 255);  // plots, the picture's surroundings
+inline constexpr ImU32 raised = IM_COL32(52, 52, 58, 255);  // controls
+inline constexpr ImU32 bright = IM_COL32(78, 78, 86, 255);  // controls under the mouse
 inline constexpr ImU32 line = IM_COL32(58, 58, 64, 255);
 inline constexpr ImU32 outline = IM_COL32(12, 12, 16, 220);  // around what is drawn over the picture
 
@@ -30,7 +29,8 @@ inline constexpr ImU32 outline = IM_COL32(12, 12, 16, 220);  // around what is d
 enum class Type { body, heading, title };  // 13, 15 and 20 pixels at scale 1
 [[nodiscard]] ImFont* font(Type type);
 
-/// Sets style and fonts of the current Dear ImGui context. Fonts installed on the machine are used where there are some.
+/// Sets style and fonts of the current Dear ImGui context. Fonts installed on the machine are used where there are
+/// some.
 void apply(float scale);
 
 }  // namespace kd::theme

@@ -21,12 +21,26 @@ constexpr float fly_seconds = 4;  // to cross the scene at speed 1
 
 Camera current(const EngineState& state, const Edit& edit) { return edit.session.camera.value_or(state.camera); }
 
+/// The pinned pixel stays on its ray: the angle of view belongs to the height, and the middle stays the middle.
+void resize(Edit& edit, int width, int height) {
+    Session& session = edit.session;
+    if (session.width == width && session.height == height) return;
+    if (edit.window.pinned) {
+        PixelPosition& p = *edit.window.pinned;
+        const double zoom = double(height) / session.height;
+        p.x = std::clamp(int((p.x + 0.5 - 0.5 * session.width) * zoom + 0.5 * width), 0, width - 1);
+        p.y = std::clamp(int((p.y + 0.5) * zoom), 0, height - 1);
+    }
+    session.width = width;
+    session.height = height;
+}
+
 }  // namespace
 
 void Viewport::update_texture(const EngineState& state) {
     if (state.picture == uploaded_ || !state.picture) return;
     uploaded_ = state.picture;
-    image_.upload(uploaded_->image, uploaded_->traced.scale > 1);
+    image_.upload(uploaded_->image, uploaded_->traced.scale > 1 || uploaded_->sketch);
 }
 
 void Viewport::draw(const Rectangle& area, const EngineState& state, double now, float seconds, Edit& edit) {
@@ -35,21 +49,24 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::sunken);
-    ImGui::Begin("##picture", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                           ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::Begin("##picture", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::InvisibleButton("##canvas", {area.width, area.height},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
     const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
-    edit.session.width = std::max(1, int(std::lround(area.width * density.x)));
-    edit.session.height = std::max(1, int(std::lround(area.height * density.y)));
+    resize(edit, std::max(1, int(std::lround(area.width * density.x))),
+           std::max(1, int(std::lround(area.height * density.y))));
     handle_mouse(area, state, edit);
     handle_flight(state, seconds, edit);
 
     // What is about to be replaced as a whole is dimmed, never taken away.
     const bool replaced = state.loading.active || state.building.active;
-    if (!replaced) stale_since_ = -1;
-    else if (stale_since_ < 0) stale_since_ = now;
+    if (!replaced)
+        stale_since_ = -1;
+    else if (stale_since_ < 0)
+        stale_since_ = now;
     const bool dim = replaced && now - stale_since_ > dim_after_s;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 corner{area.x, area.y};
@@ -73,7 +90,8 @@ void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edi
         edit.hovered = PixelPosition{int((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
                                      int((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
     if (!state.picture || state.loading.active) return;  // no camera to move yet
-    if (over && io.MouseWheel != 0) edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel));
+    if (over && io.MouseWheel != 0)
+        edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel));
     if (ImGui::IsItemActivated()) dragged_ = 0;
     if (ImGui::IsItemActive()) handle_drag(area, state, edit);
     handle_click(state, edit);
@@ -105,7 +123,8 @@ void Viewport::handle_click(const EngineState& state, Edit& edit) {
         dragged_ = 1e6f;  // its release pins nothing
         return;
     }
-    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && dragged_ < theme::px(click_slack)) {
+    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        dragged_ < theme::px(click_slack)) {
         pinned_before_click_ = edit.window.pinned;
         edits::pin(edit);
     }

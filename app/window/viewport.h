@@ -11,8 +11,8 @@ class Viewport {
   public:
     explicit Viewport(const GlApi& gl) : image_(gl) {}
 
-    /// Draws the newest picture into `area` and turns what the mouse does there into edits: the picture's size, the camera,
-    /// the pixel under the mouse, the pinned one. `seconds` since the frame before, for flying.
+    /// Draws the newest picture into `area` and turns what the mouse does there into edits: the picture's size, the
+    /// camera, the pixel under the mouse, the pinned one. `seconds` since the frame before, for flying.
     void draw(const Rectangle& area, const EngineState& state, double now, float seconds, Edit& edit);
 
     /// The right button is held over the picture: letters fly and are no commands.

@@ -21,7 +21,8 @@ void draw_crosshair(ImDrawList& list, ImVec2 at) {
     const float arm = theme::px(18);
     const float width = theme::px(1.5f);
     for (const ImVec2 d : {ImVec2{1, 0}, ImVec2{-1, 0}, ImVec2{0, 1}, ImVec2{0, -1}})
-        outlined_line(list, {at.x + d.x * gap, at.y + d.y * gap}, {at.x + d.x * arm, at.y + d.y * arm}, theme::selected, width);
+        outlined_line(list, {at.x + d.x * gap, at.y + d.y * gap}, {at.x + d.x * arm, at.y + d.y * arm}, theme::selected,
+                      width);
     list.AddCircle(at, gap, theme::outline, 0, width + theme::px(2));
     list.AddCircle(at, gap, theme::selected, 0, width);
 }
@@ -39,7 +40,8 @@ void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& stat
         outlined_line(list, a, b, colour_of(depth_colour(line.depth, deepest)), theme::px(1));
     }
     if (edit.window.pinned) {
-        const ImVec2 at{area.x + (float(edit.window.pinned->x) + 0.5f) * scale.x, area.y + (float(edit.window.pinned->y) + 0.5f) * scale.y};
+        const ImVec2 at{area.x + (float(edit.window.pinned->x) + 0.5f) * scale.x,
+                        area.y + (float(edit.window.pinned->y) + 0.5f) * scale.y};
         draw_crosshair(list, at);
     }
     list.PopClipRect();
@@ -57,8 +59,10 @@ void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& s
         const ImVec2 low{area.x + margin, y};
         const ImVec2 high{low.x + size.x + 2 * padding + theme::px(4), low.y + size.y + 2 * padding};
         list.AddRectFilled(low, high, theme::faded(theme::background, 0.92f), theme::px(3));
-        list.AddRectFilled(low, {low.x + theme::px(4), high.y}, message.error ? theme::error : theme::dim_text, theme::px(3));
-        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + padding + theme::px(4), low.y + padding}, theme::text, text, nullptr, wrap);
+        list.AddRectFilled(low, {low.x + theme::px(4), high.y}, message.error ? theme::error : theme::dim_text,
+                           theme::px(3));
+        list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + padding + theme::px(4), low.y + padding},
+                     theme::text, text, nullptr, wrap);
         y = high.y + theme::px(4);
     }
 }

@@ -7,8 +7,8 @@
 
 namespace kd {
 
-/// Shows `start` until the window is closed or `stop` is requested, and returns the exit code. NoDisplay where no window can
-/// be opened.
+/// Shows `start` until the window is closed or `stop` is requested, and returns the exit code. NoDisplay where no
+/// window can be opened.
 [[nodiscard]] int run_window(const Session& start, std::stop_token stop = {});
 
 }  // namespace kd

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <limits>
 
-#include "app/panels/panel.h"
 #include "app/fonts.h"
+#include "app/panels/panel.h"
 #include "app/window/bars.h"
 #include "app/window/exporting.h"
 #include "app/window/help.h"
@@ -21,8 +21,9 @@ namespace kd {
 
 namespace {
 
-constexpr double resting_wait_s = 0.25, working_wait_s = 0.03;
-constexpr int frames_after_input = 3;
+constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
+constexpr double preview_wait_s = 0.03;
+constexpr int frames_after_input = 2;
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -57,8 +58,11 @@ void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
 }  // namespace
 
 WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMemory& memory)
-    : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")), state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes) {
+    : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")),
+      state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes) {
     edit_.window = memory.settings;
+    std::error_code error;
+    edit_.window.folder = std::filesystem::current_path(error).string();
     (void)gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
     install_callbacks(window.handle(), *this);
     ImGui::CreateContext();
@@ -110,12 +114,9 @@ void WindowLoop::on_drop(const std::string& path) {
 bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 
 void WindowLoop::wait() const {
-    if (!resting()) {
-        glfwPollEvents();
-        return;
-    }
     const EngineState& state = engine_->state();
-    glfwWaitEventsTimeout(state.working() || state.stale() ? working_wait_s : resting_wait_s);
+    const bool working = state.working() || state.stale();
+    glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
 
 void WindowLoop::run(const std::stop_token& stop) {
@@ -131,7 +132,19 @@ void WindowLoop::run(const std::stop_token& stop) {
     }
 }
 
+/// An edit that needs another picture is given the time that its preview takes before anything goes to the screen: one
+/// frame with the answer comes sooner than one without and then another.
 void WindowLoop::draw_frame() {
+    const std::uint64_t before = engine_->state().generation;
+    lay_out_frame();
+    if (engine_->state().generation != before) {
+        engine_->wait_for_picture(preview_wait_s);
+        lay_out_frame();
+    }
+    present_frame();
+}
+
+void WindowLoop::lay_out_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -151,9 +164,11 @@ void WindowLoop::draw_frame() {
         if (edit_.window.panels) draw_splitters(layout_, sizes_, scale);
         draw_help(edit_);
     }
-    apply_edit();
-
     ImGui::Render();
+    apply_edit();
+}
+
+void WindowLoop::present_frame() {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_.handle(), &width, &height);
     gl_.Viewport(0, 0, width, height);
@@ -173,7 +188,8 @@ void WindowLoop::draw_panels(const Layout& layout) {
     draw_status_line(layout.status, state, edit_);
     if (!edit_.window.panels) return;
     const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
-        begin_area(name, area, {theme::px(12), theme::px(8)}, place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
+        begin_area(name, area, {theme::px(12), theme::px(8)},
+                   place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
         for (const Panel& panel : panels()) {
             if (panel.place != place) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
@@ -223,7 +239,7 @@ void WindowLoop::write_files(Action action) {
     try {
         const std::string& folder = edit_.window.folder;
         const auto path = action == Action::export_window ? export_window(read_window(), engine_->state(), folder)
-                                                            : export_file(action, engine_->state(), folder, font_);
+                                                          : export_file(action, engine_->state(), folder, font_);
         edit_.last_export = path.string();
         engine_->say(false, "wrote " + path.string());
     } catch (const std::exception& error) {

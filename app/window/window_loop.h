@@ -41,6 +41,8 @@ class WindowLoop {
 
     void wait() const;
     void draw_frame();
+    void lay_out_frame();
+    void present_frame();
     void draw_panels(const Layout& layout);
     void apply_keys();
     void apply_edit();

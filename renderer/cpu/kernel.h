@@ -40,8 +40,8 @@ private:
     KD_FN int fetch_reference(int slot) const { return references[slot]; }
     KD_FN void fetch_bounds(real3& lower, real3& upper) const
     {
-        lower = view.tree->bounds.lower;
-        upper = view.tree->bounds.upper;
+        lower = view.scene->bounds.lower;
+        upper = view.scene->bounds.upper;
     }
     KD_FN void fetch_node_box(int node, real3& lower, real3& upper) const
     {

@@ -21,7 +21,7 @@
 #define KD_FN [[gnu::always_inline]] inline
 #endif
 #define KD_CONST(T) static constexpr T
-#define IS_NAN(x) ((x) != (x))
+#define IS_NAN(x) false // in C++ a comparison with NaN fails by itself
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)
 
 namespace kd {

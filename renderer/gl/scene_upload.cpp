@@ -92,12 +92,12 @@ int stack_size_for(const KdTree& tree) {
     return max_tree_depth;
 }
 
-gl_blocks::SceneBlock encode_block(const FlatScene& scene, const KdTree& tree) {
+gl_blocks::SceneBlock encode_block(const FlatScene& scene) {
     const int lights_at = 3 * int(scene.materials.size());
     const int textures_at = lights_at + 4 * int(scene.lights.size());
     return {
-        .bounds_lower = Vec4(tree.bounds.lower, 0.0f),
-        .bounds_upper = Vec4(tree.bounds.upper, 0.0f),
+        .bounds_lower = Vec4(scene.bounds.lower, 0.0f),
+        .bounds_upper = Vec4(scene.bounds.upper, 0.0f),
         .ambient = Vec4(scene.ambient, 0.0f),
         .background = Vec4(scene.background, 1.0f),
         .counts = {int(scene.triangles.size()), int(scene.lights.size()), lights_at, textures_at},
@@ -114,7 +114,7 @@ SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScen
       corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
       material_index_(gl, GL_R32I, encode_material_index(scene), "material numbers"),
       tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {
-    block_.set(gl, encode_block(scene, tree));
+    block_.set(gl, encode_block(scene));
 }
 
 void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {

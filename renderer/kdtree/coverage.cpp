@@ -9,15 +9,17 @@ namespace kd {
 
 namespace {
 
-/// Whether the projections on `direction` of a triangle and a box around the origin do not overlap. `reach` bounds the
-/// corners' distance from the origin and with it the rounding error.
-bool separates(glm::dvec3 direction, const std::array<glm::dvec3, 3>& corner, glm::dvec3 half, double reach) {
+/// What rounding may do to a projection, relative to the corners' distance from the box's centre.
+constexpr double projection_rounding = 1e-13;
+
+/// Whether the projections on `direction` of a triangle and a box around the origin do not overlap; `margin` (in lengths)
+/// is how far apart they must be, or, negative, how far they may overlap.
+bool separates(glm::dvec3 direction, const std::array<glm::dvec3, 3>& corner, glm::dvec3 half, double margin) {
     const double a = dot(direction, corner[0]);
     const double b = dot(direction, corner[1]);
     const double c = dot(direction, corner[2]);
-    const double radius = dot(abs(direction), half);
-    const double rounding = std::min(radius, 1e-13 * reach * length(direction));
-    return std::min({a, b, c}) > radius - rounding || std::max({a, b, c}) < rounding - radius;
+    const double radius = std::max(0.0, dot(abs(direction), half) + margin * length(direction));
+    return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
 }
 
 class Coverage {
@@ -104,29 +106,39 @@ class Coverage {
 
 }  // namespace
 
-// Separating axes of a triangle and a box: the box's three, the triangle's normal, and the nine products of their edges
-// (Akenine-Moeller, "Fast 3D Triangle-Box Overlap Testing", 2001), in double around the box's centre.
-bool surface_enters(const Triangle& triangle, const Aabb& box) {
-    constexpr double shrink = 1.0 - 1e-6;  // so that touching a face is not entering
+namespace {
+
+/// Whether a plane lies between the triangle and the box scaled by `scale` about its centre: separating axes are the box's
+/// three, the triangle's normal, and the nine products of their edges (Akenine-Moeller, "Fast 3D Triangle-Box Overlap
+/// Testing", 2001), in double. `certainty` is +1 where the answer "apart" must be sure, -1 where "together" must be.
+bool apart(const Triangle& triangle, const Aabb& box, double scale, double certainty) {
     const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
-    const glm::dvec3 half = shrink * 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
+    const glm::dvec3 half = scale * 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
     std::array<glm::dvec3, 3> corner;
     double reach = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
         corner[k] = glm::dvec3(triangle.corner[k]) - centre;
         reach = std::max(reach, length(corner[k]));
     }
+    const double margin = certainty * projection_rounding * reach;
     const std::array edges{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 direction(0.0);
         direction[axis] = 1.0;
-        if (separates(direction, corner, half, 0.0)) return false;
+        if (separates(direction, corner, half, 0.0)) return true;
         for (const glm::dvec3& edge : edges) {
-            if (separates(cross(direction, edge), corner, half, reach)) return false;
+            if (separates(cross(direction, edge), corner, half, margin)) return true;
         }
     }
-    return !separates(cross(edges[0], edges[1]), corner, half, reach);
+    return separates(cross(edges[0], edges[1]), corner, half, margin);
 }
+
+}  // namespace
+
+// Shrunk and grown so that touching a face is neither entering nor avoiding.
+bool surface_enters(const Triangle& triangle, const Aabb& box) { return !apart(triangle, box, 1.0 - 1e-6, -1.0); }
+
+bool surface_avoids(const Triangle& triangle, const Aabb& box) { return apart(triangle, box, 1.0 + 1e-6, 1.0); }
 
 void check_coverage(const KdTree& tree, std::span<const Triangle> triangles, Findings& findings) {
     Coverage coverage(tree, triangles);

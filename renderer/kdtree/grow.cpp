@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "renderer/kdtree/coverage.h"
+
 namespace kd {
 
 namespace {
@@ -102,11 +104,12 @@ class Grower {
     }
 
     void make_leaf(int node, const Pending& at) {
-        const auto triangles = lists_.top();
         TreeNode& leaf = tree_.nodes[std::size_t(node)];
-        leaf.count = std::int32_t(triangles.size());
         leaf.link = std::int32_t(tree_.references.size());
-        tree_.references.insert(tree_.references.end(), triangles.begin(), triangles.end());
+        const bool trim = task_.config.trim_leaves;
+        for (const std::int32_t t : lists_.top())
+            if (!trim || !surface_avoids(task_.triangles[std::size_t(t)], at.cell)) tree_.references.push_back(t);
+        leaf.count = std::int32_t(tree_.references.size()) - leaf.link;
         // What this leaf leaves over, the next cell may use.
         if (!pending_.empty()) pending_.back().allowance += at.allowance - leaf.count;
         lists_.drop();

@@ -2,9 +2,11 @@
 
 /// `axes` orders the axes so that z is the direction's largest component; `shear` maps the direction to (0, 0, 1).
 /// `inverse` holds 1/d, and 0 on an axis that the ray is parallel to (no infinity is ever made). `slack` is the distance
-/// within which a cell counts as touched, and `t_slack` the same in t for planes across each axis.
+/// within which a cell counts as touched, and `t_slack` the same in t for planes across each axis. `ray` starts
+/// `t_shift` later than the ray asked for.
 struct RaySetup {
     Ray ray;
+    real t_shift;
     real3 inverse;
     real slack;
     real3 t_slack;
@@ -44,29 +46,57 @@ KD_FN real limited_end(real t_max)
     return IS_NAN(t_max) ? t_max : min(t_max, KD_T_LIMIT);
 }
 
+/// How much later a ray may start: 0 near the scene; from far away, to about twice the scene's extent before it. At a
+/// distance, single precision resolves neither triangles nor cells, and every cell would count as touched.
+KD_FN real shift_towards(IN(Ray) ray, real3 lower, real3 upper, real reach)
+{
+    real extent = (upper.x - lower.x) + (upper.y - lower.y) + (upper.z - lower.z);
+    if (!(reach > real(8) * extent) || !valid_ray(ray)) return real(0);
+    real largest = max_component(abs(ray.direction));
+    real3 direction = scale3(ray.direction, real(1) / largest);
+    real3 to_centre = scale3(lower + upper, real(0.5)) - ray.origin;
+    PRECISE real distance = dot3(to_centre, direction) / dot3(direction, direction) - real(2) * extent;
+    PRECISE real t = distance / largest;
+    return t > ray.t_min && t < ray.t_max ? t : real(0);
+}
+
+KD_FN real farthest_corner(real3 point, real3 lower, real3 upper)
+{
+    return max_component(max(abs(lower - point), abs(upper - point)));
+}
+
 /// Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, section 3.1. Winding is not kept:
 /// both faces count, so the axes need no swap.
-KD_FN RaySetup setup_ray(IN(Ray) ray)
+KD_FN RaySetup setup_ray(IN(Ray) asked)
 {
     RaySetup s;
-    s.ray = ray;
-    s.ray.t_max = limited_end(ray.t_max);
-    real smallest = KD_PARALLEL * max_component(abs(ray.direction));
-    s.inverse = real3(inverse_or_zero(ray.direction.x, smallest), inverse_or_zero(ray.direction.y, smallest),
-                      inverse_or_zero(ray.direction.z, smallest));
     real3 lower;
     real3 upper;
     fetch_bounds(lower, upper);
-    PRECISE real slack = KD_SLACK * max_component(max(abs(lower - ray.origin), abs(upper - ray.origin)));
+    Ray ray = asked;
+    ray.t_max = limited_end(asked.t_max);
+    real reach = farthest_corner(ray.origin, lower, upper);
+    s.t_shift = shift_towards(ray, lower, upper, reach);
+    if (KD_RARE(s.t_shift > real(0))) {
+        ray.origin = add_scaled3(ray.origin, ray.direction, s.t_shift);
+        ray.t_min = real(0);
+        ray.t_max = ray.t_max - s.t_shift;
+        reach = farthest_corner(ray.origin, lower, upper);
+    }
+    s.ray = ray;
+    real smallest = KD_PARALLEL * max_component(abs(ray.direction));
+    s.inverse = real3(inverse_or_zero(ray.direction.x, smallest), inverse_or_zero(ray.direction.y, smallest),
+                      inverse_or_zero(ray.direction.z, smallest));
+    PRECISE real slack = KD_SLACK * reach;
     s.slack = slack;
     s.t_slack = scale3(abs(s.inverse), slack);
     int z = largest_axis(abs(ray.direction));
     int x = z == 2 ? 0 : z + 1;
     int y = x == 2 ? 0 : x + 1;
     s.axes = int3(x, y, z);
-    PRECISE real shear_x = AXIS(ray.direction, x) / AXIS(ray.direction, z);
-    PRECISE real shear_y = AXIS(ray.direction, y) / AXIS(ray.direction, z);
-    PRECISE real shear_z = real(1) / AXIS(ray.direction, z);
+    PRECISE real shear_z = AXIS(s.inverse, z);
+    PRECISE real shear_x = AXIS(ray.direction, x) * shear_z;
+    PRECISE real shear_y = AXIS(ray.direction, y) * shear_z;
     s.shear = real3(shear_x, shear_y, shear_z);
     s.permuted_origin = real3(AXIS(ray.origin, x), AXIS(ray.origin, y), AXIS(ray.origin, z));
     return s;

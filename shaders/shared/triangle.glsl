@@ -16,16 +16,20 @@ KD_FN real product_error(real a, real b)
     return error;
 }
 
-/// p*q - r*s with the sign that it has in exact arithmetic: rounding keeps the order of two products unless it makes them
-/// equal, and then what it took away decides. A triangle seen edge-on would otherwise be "hit" at a corner far from the ray.
-KD_FN real edge_function(real p, real q, real r, real s)
+/// The rounded edge function p*q - r*s, given the sign that it has in exact arithmetic: rounding keeps the order of two
+/// products unless it makes them equal, and then what it took away decides. A triangle seen edge-on would otherwise be
+/// "hit" at a corner far from the ray.
+KD_FN real with_exact_sign(real edge, real p, real q, real r, real s)
 {
-    PRECISE real edge = p * q - r * s;
-    if (KD_RARE(edge == real(0))) {
-        PRECISE real rest = product_error(p, q) - product_error(r, s);
-        edge = rest;
-    }
-    return edge;
+    if (edge != real(0)) return edge;
+    PRECISE real lost = product_error(p, q) - product_error(r, s);
+    return lost;
+}
+
+/// Six branches on the signs would be unpredictable ones; this is one on the least and one on the greatest.
+KD_FN bool signs_differ(real a, real b, real c)
+{
+    return min(a, min(b, c)) < real(0) && max(a, max(b, c)) > real(0);
 }
 
 /// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
@@ -48,13 +52,16 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real cx = c.x - s.shear.x * c.z;
     PRECISE real cy = c.y - s.shear.y * c.z;
 
-    real edge_a = edge_function(cx, by, cy, bx);
-    real edge_b = edge_function(ax, cy, ay, cx);
-    real edge_c = edge_function(bx, ay, by, ax);
-    // Outside where signs differ. Least and greatest first: six branches on the signs would be unpredictable ones.
-    real least = min(edge_a, min(edge_b, edge_c));
-    real greatest = max(edge_a, max(edge_b, edge_c));
-    if (least < real(0) && greatest > real(0)) return;
+    PRECISE real edge_a = cx * by - cy * bx;
+    PRECISE real edge_b = ax * cy - ay * cx;
+    PRECISE real edge_c = bx * ay - by * ax;
+    if (signs_differ(edge_a, edge_b, edge_c)) return;
+    if (KD_RARE(edge_a == real(0) || edge_b == real(0) || edge_c == real(0))) {
+        edge_a = with_exact_sign(edge_a, cx, by, cy, bx);
+        edge_b = with_exact_sign(edge_b, ax, cy, ay, cx);
+        edge_c = with_exact_sign(edge_c, bx, ay, by, ax);
+        if (signs_differ(edge_a, edge_b, edge_c)) return;
+    }
 
     PRECISE real determinant = edge_a + edge_b + edge_c;
     if (determinant == real(0)) return;

@@ -26,6 +26,7 @@ using test::faults;
 TEST(SpatialMedianBuilder, HalvesTheLongestAxis) {
     BuildConfig config;
     config.builder = "spatial-median";
+    config.leaf_size = 1;
     KdTree expected = test::two_slab_tree();
     expected.nodes[0].split = 1.0f;
     EXPECT_EQ(build_tree(test::two_slabs(), config), expected);
@@ -33,7 +34,12 @@ TEST(SpatialMedianBuilder, HalvesTheLongestAxis) {
 
 class EveryBuilder : public testing::TestWithParam<Builder> {
   protected:
-    EveryBuilder() { config_.builder = GetParam().name; }
+    /// Deeper than the defaults, so that the limits come into play.
+    EveryBuilder() {
+        config_.builder = GetParam().name;
+        config_.leaf_size = 1;
+        config_.bad_refines = 3;
+    }
 
     KdTree build_sound(const std::vector<Triangle>& triangles) {
         KdTree tree = build_tree(triangles, config_, &report_);
@@ -199,7 +205,7 @@ TEST(Build, IdenticalTrianglesStayInOneLeaf) {
 TEST(Build, NodesOfLeafSizeAreNotSplit) {
     const std::vector<Triangle> ball = test::sphere(32, 16);
     for (const int size : {1, 4, 100}) {
-        const KdTree tree = build_tree(ball, {.leaf_size = size});
+        const KdTree tree = build_tree(ball, {.leaf_size = size, .trim_leaves = false});
         EXPECT_EQ(faults(tree, ball), "");
         for (std::size_t i = 0; i + 2 < tree.nodes.size(); ++i) {
             const TreeNode& below = tree.nodes[i + 1];

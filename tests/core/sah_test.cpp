@@ -74,12 +74,12 @@ TEST(Sah, CandidatesOnFacesAreNone) {
 
 TEST(PaperBuilder, TwoTrianglesWithAGap) {
     // At x = 0.5: 1 + 1.5 * (0.4 + 0.8) = 2.8 beats the leaf's 3; x = 1.5 costs the same and comes later.
-    EXPECT_EQ(build_tree(test::two_slabs(), {}), test::two_slab_tree());
+    EXPECT_EQ(build_tree(test::two_slabs(), {.leaf_size = 1}), test::two_slab_tree());
 }
 
 TEST(PaperBuilder, NoSplitThatPays) {
     // At t_i = 1.2: 1 + 1.2 * 1.2 = 2.44 does not beat 2.4.
-    const BuildConfig config{.intersection_cost = 1.2f, .bad_refines = 0};
+    const BuildConfig config{.intersection_cost = 1.2f, .leaf_size = 1, .bad_refines = 0};
     EXPECT_EQ(build_tree(test::two_slabs(), config).nodes.size(), 1u);
 }
 
@@ -98,7 +98,7 @@ TEST(PaperBuilder, OtherAxesAreTriedWhereItDoesNot) {
     // Both triangles span the longest axis; y has a gap.
     const std::vector<Triangle> triangles{test::triangle_filling({0, 0, 0}, {4, 0.25f, 1}),
                                           test::triangle_filling({0, 2.5f, 0}, {4, 3, 1})};
-    const KdTree tree = build_tree(triangles, {.intersection_cost = 4.0f});
+    const KdTree tree = build_tree(triangles, {.intersection_cost = 4.0f, .leaf_size = 1});
     ASSERT_EQ(tree.nodes.size(), 3u);
     EXPECT_EQ(tree.nodes[0].flag, 1);
     EXPECT_EQ(tree.nodes[0].split, 0.25f);
@@ -107,7 +107,9 @@ TEST(PaperBuilder, OtherAxesAreTriedWhereItDoesNot) {
 TEST(PaperBuilder, BadSplitsAreLimited) {
     // [0, 1] and [0.5, 1.5]: cutting at 0.5 or 1 costs 1 + 1.5 * (4 + 2 * 6) / 8 = 4 against 3 for the leaf.
     const std::vector<Triangle> triangles{test::slab(0.0f, 1.0f), test::slab(0.5f, 1.5f)};
-    const auto nodes = [&](int bad) { return build_tree(triangles, {.bad_refines = bad}).nodes.size(); };
+    const auto nodes = [&](int bad) {
+        return build_tree(triangles, {.leaf_size = 1, .bad_refines = bad}).nodes.size();
+    };
     EXPECT_EQ(nodes(0), 1u);
     EXPECT_EQ(nodes(1), 3u);
     EXPECT_EQ(nodes(2), 5u);
@@ -117,11 +119,15 @@ TEST(PaperBuilder, BadSplitsAreLimited) {
 TEST(PaperBuilder, ReferenceCapRefusesTheSplit) {
     const std::vector<Triangle> triangles{test::slab(0.0f, 1.0f), test::slab(0.5f, 1.5f)};
     BuildReport report;
-    EXPECT_EQ(build_tree(triangles, {.reference_cap = 1.0f}, &report).nodes.size(), 1u);
+    EXPECT_EQ(build_tree(triangles, {.leaf_size = 1, .bad_refines = 3, .reference_cap = 1.0f}, &report).nodes.size(),
+              1u);
     EXPECT_TRUE(report.reference_cap_hit);
-    EXPECT_EQ(build_tree(triangles, {.reference_cap = 1.5f}, &report).nodes.size(), 3u) << "three references, no more";
+    EXPECT_EQ(build_tree(triangles, {.leaf_size = 1, .bad_refines = 3, .reference_cap = 1.5f}, &report).nodes.size(),
+              3u)
+        << "three references, no more";
     EXPECT_TRUE(report.reference_cap_hit);
-    EXPECT_EQ(build_tree(triangles, {.reference_cap = 2.0f}, &report).nodes.size(), 5u);
+    EXPECT_EQ(build_tree(triangles, {.leaf_size = 1, .bad_refines = 3, .reference_cap = 2.0f}, &report).nodes.size(),
+              5u);
     EXPECT_FALSE(report.reference_cap_hit);
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "renderer/cpu/cpu_tracer.h"
@@ -114,6 +115,23 @@ TEST(Traverse, NeverMissesAClosedSphereFarFromTheOrigin)
     EXPECT_EQ(first_mismatch(scene, tree, rays), "");
     const Traced found = trace(scene, tree, Traversal::stack, rays);
     EXPECT_EQ(std::ranges::count(found.hits, -1, &Hit::triangle), 0);
+}
+
+TEST(Traverse, RaysFromFarAwayCostNoMoreThanOthers)
+{
+    KdTree tree;
+    const FlatScene scene = with_tree(test::sphere(80, 40), tree);
+    test::Random random(23);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 at = random.point(-0.7f, 0.7f);
+        const Vec3 from = random.point(-1, 1) * std::pow(10.0f, random.uniform(1.0f, 7.0f));
+        rays.push_back({from, at - from, 0.0f, KD_T_LIMIT, -1});
+    }
+    EXPECT_EQ(first_mismatch(scene, tree, rays), "");
+    CounterTotals totals;
+    for (const RayCounters& c : trace(scene, tree, Traversal::stack, rays).counters) totals.add(c);
+    EXPECT_LT(totals.interior_first, 60 * totals.rays);
 }
 
 TEST(Traverse, FromOnASplitPlaneSeesBothSides)

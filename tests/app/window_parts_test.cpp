@@ -1,0 +1,173 @@
+// Parts of the window that need no display: camera moves, layout, key table, file names.
+#ifdef KD_WITH_WINDOW
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <limits>
+#include <set>
+
+#include "app/window/camera_moves.h"
+#include "app/window/event_log.h"
+#include "app/window/exporting.h"
+#include "app/window/keys.h"
+#include "app/window/layout.h"
+#include "app/window/plot.h"
+#include "renderer/geometry/input_error.h"
+
+namespace kd {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Camera start{.eye = Vec3(1, 2, 5), .target = Vec3(0.5f, 0, -1)};
+
+float distance(const Camera& camera) { return glm::distance(camera.eye, camera.target); }
+
+TEST(CameraMoves, OrbitKeepsTargetAndDistance) {
+    Camera camera = start;
+    for (int i = 0; i < 100; ++i) camera = orbit(camera, 0.13f, i % 2 ? 0.3f : -0.29f);
+    EXPECT_EQ(camera.target, start.target);
+    EXPECT_NEAR(distance(camera), distance(start), 1e-3f);
+}
+
+TEST(CameraMoves, AFullTurnComesBack) {
+    Camera camera = start;
+    for (int i = 0; i < 8; ++i) camera = orbit(camera, float(2 * M_PI / 8), 0);
+    EXPECT_LT(glm::distance(camera.eye, start.eye), 1e-4f);
+}
+
+TEST(CameraMoves, OrbitNeverReachesThePole) {
+    Camera camera = start;
+    for (int i = 0; i < 50; ++i) camera = orbit(camera, 0, 0.5f);
+    EXPECT_TRUE(is_valid(camera));
+    const Vec3 view = glm::normalize(camera.target - camera.eye);
+    EXPECT_GT(glm::length(glm::cross(view, camera.up)), 1e-3f);
+}
+
+TEST(CameraMoves, PanMovesEyeAndTargetAlikeAcrossTheView) {
+    const Camera camera = pan(start, 0.25f, 0);
+    const Vec3 moved = camera.eye - start.eye;
+    EXPECT_LT(glm::distance(moved, camera.target - start.target), 1e-5f);
+    EXPECT_NEAR(glm::dot(moved, start.target - start.eye), 0, 1e-4f);
+    EXPECT_NEAR(glm::length(moved), 0.25f * 2 * distance(start) * std::tan(0.5f * 45 * float(M_PI) / 180), 1e-4f);
+}
+
+TEST(CameraMoves, ZoomIsRefusedWhereItWouldEndInTheTarget) {
+    EXPECT_NEAR(distance(zoom(start, 0.5f)), 0.5f * distance(start), 1e-5f);
+    EXPECT_EQ(zoom(start, 0), start);
+    EXPECT_EQ(zoom(start, std::numeric_limits<float>::quiet_NaN()), start);
+    EXPECT_EQ(look_at(start, start.eye), start);
+}
+
+TEST(CameraMoves, ThePixelInTheMiddleLooksAtTheTarget) {
+    const Vec3 direction = pixel_direction(start, {50, 50}, 101, 101);
+    EXPECT_LT(glm::distance(direction, glm::normalize(start.target - start.eye)), 1e-5f);
+}
+
+TEST(Layout, AreasCoverTheWindowAndNeverOverlap) {
+    for (const float width : {640.0f, 1280.0f, 1920.0f})
+        for (const float height : {480.0f, 720.0f, 1080.0f})
+            for (const float size : {0.0f, 300.0f, 5000.0f}) {
+                const Layout l = divide(width, height, {size, size, size}, 1, true);
+                EXPECT_LE(l.left.x + l.left.width, l.picture.x);
+                EXPECT_LE(l.picture.x + l.picture.width, l.right.x);
+                EXPECT_LE(l.picture.y + l.picture.height, l.bottom.y);
+                EXPECT_LE(l.bottom.y + l.bottom.height, l.status.y + 0.5f);
+                EXPECT_FLOAT_EQ(l.right.x + l.right.width, width);
+                EXPECT_FLOAT_EQ(l.status.y + l.status.height, height);
+                EXPECT_GE(l.picture.width, 0.39f * width);
+                EXPECT_GE(l.picture.height, 1);
+            }
+}
+
+TEST(Layout, ThePictureGetsSixtyPercentOfTheWidthAtFirst) {
+    EXPECT_GE(divide(1280, 720, {}, 1, true).picture.width, 0.6f * 1280);
+    EXPECT_FLOAT_EQ(divide(1280, 720, {}, 1, false).picture.width, 1280);
+}
+
+TEST(Keys, EachKeyMeansOneThing) {
+    std::set<std::pair<int, bool>> keys;
+    std::set<std::string> labels;
+    for (const KeyBinding& binding : key_bindings()) {
+        EXPECT_TRUE(keys.insert({binding.key, binding.shift}).second) << binding.label;
+        EXPECT_TRUE(labels.insert(binding.label).second) << binding.label;
+        EXPECT_NE(std::string(binding.title), "");
+    }
+}
+
+TEST(Keys, TraversalKeyGoesRoundWithoutTheNaiveOne) {
+    EngineState state;
+    Edit edit;
+    std::set<Traversal> seen;
+    for (int i = 0; i < 6; ++i) {
+        EXPECT_TRUE(apply_key('T', 0, state, edit));
+        seen.insert(edit.session.trace.traversal);
+    }
+    EXPECT_EQ(seen.count(Traversal::naive), 0U);
+    EXPECT_EQ(seen.size(), traversals().size() - 1);
+    EXPECT_FALSE(apply_key('T', 2 /* Ctrl */, state, edit)) << "left to the desktop";
+}
+
+TEST(Keys, HeatAndDivergenceRememberTheMap) {
+    EngineState state;
+    Edit edit;
+    edits::choose_map(edit, "triangles");
+    edits::show_divergence(edit);
+    EXPECT_EQ(edit.session.view.map.map, "divergence");
+    edits::show_heat(edit);
+    EXPECT_EQ(edit.session.view.map.map, "triangles");
+    edits::show_beauty(edit);
+    EXPECT_FALSE(edit.session.view.show_map);
+}
+
+TEST(Plot, ScalesAreRound) {
+    EXPECT_FLOAT_EQ(plot::round_up(0), 1);
+    EXPECT_FLOAT_EQ(plot::round_up(3.2f), 5);
+    EXPECT_FLOAT_EQ(plot::round_up(51), 100);
+    EXPECT_FLOAT_EQ(plot::round_up(0.011f), 0.02f);
+    EXPECT_FLOAT_EQ(plot::round_up(20), 20);
+}
+
+TEST(Export, NamesCountUpOverAllKinds) {
+    const fs::path folder = fs::path(KD_TEST_OUTPUT_DIR) / "export names";
+    fs::remove_all(folder);
+    EXPECT_THROW((void)next_file(folder, ".png"), InputError) << "no such folder";
+    fs::create_directories(folder);
+    EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-1.png");
+    std::ofstream(folder / "kdscope-1.csv") << "x";
+    EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-2.png");
+    std::ofstream(folder / "kdscope-3.png") << "x";
+    EXPECT_EQ(next_file(folder, ".json").filename(), "kdscope-2.json");
+}
+
+TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {
+    const fs::path file = fs::path(KD_TEST_OUTPUT_DIR) / "events.csv";
+    {
+        EventLog log(file.string());
+        Picture picture;
+        picture.generation = 4;
+        log.input("move", 1.0);
+        log.presented(&picture, 1.01);  // not applied yet
+        log.applied(4);
+        log.input("key", 2.0);
+        log.presented(&picture, 2.0625);  // answers the move alone
+        log.applied(5);
+        log.presented(&picture, 2.07);
+        picture.generation = 5;
+        log.presented(&picture, 2.125);
+    }
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_EQ(text, "event,kind,t_event_ms,t_frame_ms,latency_ms\n"
+                    "1,move,1000.00,2062.50,1062.50\n"
+                    "2,key,2000.00,2125.00,125.00\n");
+    EXPECT_THROW(EventLog("/no/such/folder/events.csv"), InputError);
+}
+
+}  // namespace
+}  // namespace kd
+
+#endif

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Without OpenGL 4.3 the window opens all the same: the CPU traces, and one line says why. Without a display it does not.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+export MESA_GL_VERSION_OVERRIDE=3.3
+start_window ball:300 --tracer gl-fragment
+wait_for '^settings.tracer=cpu$'
+wait_for '^messages.0.error=true$'
+[[ $(value messages.0.text) == *OpenGL\ 4.3* ]] || fail "the line does not say why: $(value messages.0.text)"
+wait_for '^gpu.unavailable=.'
+press v
+sleep 1
+[[ $(value settings.tracer) == cpu ]] || fail "V changed to a GPU that is not there"
+stop_window
+
+DISPLAY=:987 "$KDSCOPE" ball:300 >out.txt 2>err.txt
+code=$?
+[[ $code -eq 3 ]] || fail "exit code $code without a display"
+[[ $(wc -l <err.txt) -eq 1 ]] || fail "not one line: $(cat err.txt)"
+echo "passed"
