@@ -26,7 +26,7 @@ bool same_frame(const Session& a, const Session& b) {
 
 Engine::Engine(const Session& start, EngineOptions options)
     : options_(std::move(options)), mailbox_(options_.wake), tracing_(std::make_unique<Tracing>(options_.open_gl)),
-      loader_(Worker::Priority::low), builder_(Worker::Priority::low),
+      loader_(Worker::Priority::low), builder_(Worker::Priority::low), painter_(Worker::Priority::low),
       tracer_(Worker::Priority::low, [this] { tracing_.reset(); }) {
     state_.session = start;
     if (start.camera && !is_valid(*start.camera)) {

@@ -64,7 +64,8 @@ class Engine {
     void start_trace();
     void receive(TracedFrame traced);
     void start_paint();
-    void show(Picture picture);
+    void paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work);
+    void show(std::shared_ptr<const Picture> picture, std::uint64_t ticket);
     void fail_paint(const std::string& why, const ViewConfig& view);
     void start_duel();
     void receive(const DuelReply& reply);
@@ -82,6 +83,8 @@ class Engine {
     std::optional<PixelPosition> hovered_, pinned_;
     std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
     std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
+    std::uint64_t paint_ticket_ = 0;      // of the painting asked for last
+    std::uint64_t shown_ticket_ = 0;      // of the picture shown
     std::uint64_t trace_ticket_ = 0;      // of the trace started last
     std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0;  // written by the threads at work
     TraceRequest duel_failed_;                                    // its world and configuration cannot be timed
@@ -91,8 +94,8 @@ class Engine {
     bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
-    std::unique_ptr<Tracing> tracing_;            // lives and dies on tracer_'s thread
-    Worker loader_, builder_, painter_, tracer_;  // last: joined before what their jobs use goes
+    std::unique_ptr<Tracing> tracing_;                       // lives and dies on tracer_'s thread
+    Worker loader_, builder_, painter_, sketcher_, tracer_;  // last: joined before what their jobs use goes
 };
 
 }  // namespace kd

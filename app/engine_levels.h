@@ -7,7 +7,7 @@ namespace kd {
 class LevelPlan {
   public:
     /// Of the first frame, which is never cancelled: a person who moves the camera sees every one.
-    static constexpr double first_frame_ms = 20;
+    static constexpr double first_frame_ms = 15;
     /// A picture predicted to take less than this is traced without steps between.
     static constexpr double direct_ms = 250;
     static constexpr int coarsest = 32;

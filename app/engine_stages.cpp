@@ -177,31 +177,40 @@ void Engine::start_paint() {
     PaintRequest request{traced_, state_.session.view, 0};
     const bool answers = traced_.generation >= trace_generation_ && traced_.generation > 0;
     request.generation = answers ? state_.generation : traced_.generation;
-    const bool sketch_first = traced_.scale == 1 && paint_ms_ > longest_paint_ms;
-    painter_.submit([this, request, sketch_first](const std::stop_token& stop) {
-        try {
-            if (sketch_first) show(paint_sketch(request));
-            if (sketch_first && stop.stop_requested()) return;  // something newer is wanted already
-            Picture picture;
-            const double ms = wall_ms([&] { picture = paint(request); });
-            if (request.traced.scale == 1) paint_ms_ = ms;
-            show(std::move(picture));
-        } catch (const std::exception& e) {
-            mailbox_.post([this, error = std::string(e.what()), view = request.view] { fail_paint(error, view); });
-        }
+    const std::uint64_t ticket = ++paint_ticket_;
+    const bool preview = traced_.scale > 1;
+    if (preview || paint_ms_ > longest_paint_ms) {
+        sketcher_.submit([this, request, preview, ticket](const std::stop_token&) {
+            paint_and_show(ticket, request.view, [&] { return preview ? paint(request) : paint_sketch(request); });
+        });
+    }
+    if (preview) return painter_.cancel();  // the whole of what was there before is wanted no more
+    painter_.submit([this, request, ticket](const std::stop_token&) {
+        paint_ms_ = wall_ms([&] { paint_and_show(ticket, request.view, [&] { return paint(request); }); });
     });
 }
 
-void Engine::show(Picture picture) {
-    mailbox_.post([this, shown = std::make_shared<const Picture>(std::move(picture))] {
-        state_.picture = shown;
-        read_probes();
-    });
+/// On a painting thread.
+void Engine::paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work) {
+    try {
+        mailbox_.post([this, ticket, shown = std::make_shared<const Picture>(work())] { show(shown, ticket); });
+    } catch (const std::exception& e) {
+        mailbox_.post([this, error = std::string(e.what()), view] { fail_paint(error, view); });
+    }
+}
+
+void Engine::show(std::shared_ptr<const Picture> picture, std::uint64_t ticket) {
+    // The two painting threads may finish in any order.
+    if (ticket < shown_ticket_ || (ticket == shown_ticket_ && picture->sketch)) return;
+    shown_ticket_ = ticket;
+    state_.picture = std::move(picture);
+    read_probes();
 }
 
 void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
+    if (state_.session.view != view) return;  // taken back already
     say(true, why);
-    if (!state_.picture || state_.session.view != view) return;
+    if (!state_.picture) return;
     Session back = state_.session;
     back.view = state_.picture->view;
     set_session(back);
@@ -209,7 +218,7 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (tracer_.busy() || painter_.busy()) return;
+    if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
     if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;

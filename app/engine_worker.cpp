@@ -13,7 +13,7 @@ namespace {
 /// Of the calling thread, and so of the threads that it will make. On Linux alone is this a property of threads.
 void step_back() {
 #ifdef __linux__
-    constexpr int nice = 10;
+    constexpr int nice = 5;
     (void)setpriority(PRIO_PROCESS, 0, nice);  // refused: then it does not
 #endif
 }

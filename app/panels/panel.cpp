@@ -2,6 +2,15 @@
 
 namespace kd {
 
+// To add a panel: write its file, declare its function here, and give it a line in the table.
+void draw_scene_panel(const EngineState& state, Edit& edit);
+void draw_tree_panel(const EngineState& state, Edit& edit);
+void draw_tracing_panel(const EngineState& state, Edit& edit);
+void draw_view_panel(const EngineState& state, Edit& edit);
+void draw_pixel_panel(const EngineState& state, Edit& edit);
+void draw_export_panel(const EngineState& state, Edit& edit);
+void draw_time_panel(const EngineState& state, Edit& edit);
+
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
         {"SCENE", PanelPlace::left, 800, draw_scene_panel},   {"TREE", PanelPlace::left, 0, draw_tree_panel},

@@ -13,13 +13,6 @@ namespace kd {
 
 namespace {
 
-// To add a builder: write its file, declare it in builders.h, add its line here.
-constexpr std::array table{
-    Builder{"paper", "SAH as in the paper",
-            "Surface area heuristic over the ends of triangle projections, longest axis first.", build_paper},
-    Builder{"spatial-median", "Spatial median", "Halves every cell across its longest axis.", build_spatial_median},
-};
-
 void check_range(std::string_view name, double value, double least, double most) {
     if (value >= least && value <= most) return;  // false for NaN
     throw InputError(fmt::format("builder constant {} is {}: use a number from {} to {}", name, value, least, most));
@@ -63,10 +56,15 @@ const Builder& named_builder(std::string_view name) {
 
 }  // namespace
 
-std::span<const Builder> builders() { return table; }
+std::span<const Builder> builders() {
+#define KD_LIST_BUILDER(name) name##_builder(),
+    static const std::array table{KD_BUILDERS(KD_LIST_BUILDER)};
+#undef KD_LIST_BUILDER
+    return table;
+}
 
 const Builder* find_builder(std::string_view name) {
-    for (const Builder& builder : table) {
+    for (const Builder& builder : builders()) {
         if (builder.name == name) return &builder;
     }
     return nullptr;

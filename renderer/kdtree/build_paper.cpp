@@ -42,12 +42,17 @@ class PaperSplitter : public Splitter {
     SweepEvents events_;
 };
 
-}  // namespace
-
 KdTree build_paper(const BuildTask& task) {
     const TriangleRanges ranges(task.triangles);
     PaperSplitter splitter(task, ranges);
     return grow_tree(task, ranges, splitter);
+}
+
+}  // namespace
+
+Builder paper_builder() {
+    return {"paper", "SAH as in the paper",
+            "Surface area heuristic over the ends of triangle projections, longest axis first.", build_paper};
 }
 
 }  // namespace kd

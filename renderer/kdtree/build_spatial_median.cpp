@@ -27,12 +27,16 @@ class MiddleSplitter : public Splitter {
     const BuildConfig& config_;
 };
 
-}  // namespace
-
 KdTree build_spatial_median(const BuildTask& task) {
     const TriangleRanges ranges(task.triangles);
     MiddleSplitter splitter(task.config);
     return grow_tree(task, ranges, splitter);
+}
+
+}  // namespace
+
+Builder spatial_median_builder() {
+    return {"spatial-median", "Spatial median", "Halves every cell across its longest axis.", build_spatial_median};
 }
 
 }  // namespace kd

@@ -1,11 +1,16 @@
-// The builders themselves, one file each; build.cpp lists them.
+// The list of builders. A new one is a file of its own, build_NAME.cpp, that defines kd::NAME_builder(), and one line here.
 #pragma once
 
 #include "renderer/kdtree/build.h"
 
+#define KD_BUILDERS(BUILDER)                                                                                           \
+    BUILDER(paper)                                                                                                     \
+    BUILDER(spatial_median)
+
 namespace kd {
 
-[[nodiscard]] KdTree build_paper(const BuildTask& task);
-[[nodiscard]] KdTree build_spatial_median(const BuildTask& task);
+#define KD_DECLARE_BUILDER(name) Builder name##_builder();
+KD_BUILDERS(KD_DECLARE_BUILDER)
+#undef KD_DECLARE_BUILDER
 
 }  // namespace kd
