@@ -76,8 +76,9 @@ void add_tree_options(CLI::App& app, CommonOptions& o) {
                         text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
                           text("Most leaf references per triangle", build.reference_cap)),
-        app.add_flag("!--box-leaves", build.trim_leaves,
-                     "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
+        app.add_flag(
+            "!--box-leaves", build.trim_leaves,
+            "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
     };
     for (CLI::Option* option : all) option->group("Tree");
 }
@@ -101,6 +102,12 @@ void add_shading_options(CLI::App& app, CommonOptions& o) {
                                                    {"duplicated", LeafLists::duplicated}};
     add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
                "Leaves hold triangle numbers or vertex copies [references]")
+        ->group("Tracing");
+    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
+    add_choice(app, "--early-z", o.early_z, culling,
+               "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]")
+        ->group("Tracing");
+    app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
         ->group("Tracing");
     app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
     add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session.h"
-#include "renderer/gl/context.h"
+#include "renderer/gl/gl_tracer.h"
 
 namespace CLI {
 class App;
@@ -28,6 +28,8 @@ struct CommonOptions {
     std::optional<TracerKind> tracer;
     std::optional<std::string> builder;
     std::optional<ContextKind> context;
+    EarlyZ early_z = EarlyZ::working;
+    bool count_shaded = false;
     std::string rules = "robust";
     bool no_shadows = false;
 

@@ -33,10 +33,12 @@ class FramePool {
   private:
     struct Store {
         static constexpr std::size_t most_spare = 3;
+        static constexpr int least_pixels = 1 << 16;  // smaller ones are made as fast as found, and crowd out the large
         std::mutex mutex;
         std::vector<std::unique_ptr<Frame>> spare;
 
         void give_back(std::unique_ptr<Frame> frame) {
+            if (frame->width * frame->height < least_pixels) return;
             const std::scoped_lock lock(mutex);
             spare.push_back(std::move(frame));
             if (spare.size() > most_spare) spare.erase(spare.begin());

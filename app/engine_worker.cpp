@@ -13,8 +13,8 @@ namespace {
 /// Of the calling thread, and so of the threads that it will make. On Linux alone is this a property of threads.
 void step_back() {
 #ifdef __linux__
-    constexpr int nice = 5;
-    (void)setpriority(PRIO_PROCESS, 0, nice);  // refused: then it does not
+    constexpr int steps = 5;
+    (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps);  // refused: then it does not
 #endif
 }
 

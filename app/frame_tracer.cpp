@@ -42,8 +42,9 @@ class CpuFrameTracer final : public FrameTracer {
 
 class GlFrameTracer final : public FrameTracer {
   public:
-    GlFrameTracer(const FlatScene& scene, const KdTree& tree, ContextKind kind)
-        : context_(Context::create(kind)), tracer_(std::make_unique<GlTracer>(*context_)) {
+    GlFrameTracer(const FlatScene& scene, const KdTree& tree, const GlChoices& choices)
+        : choices_(choices), context_(Context::create(choices.context)),
+          tracer_(std::make_unique<GlTracer>(*context_)) {
         tracer_->upload(scene, tree);
     }
     ~GlFrameTracer() override { context_->make_current(); }
@@ -52,7 +53,7 @@ class GlFrameTracer final : public FrameTracer {
 
     void prepare(const TraceConfig& config, int width, int height) override {
         context_->make_current();
-        tracer_->prepare({.trace = config}, width, height);
+        tracer_->prepare(complete(config), width, height);
     }
 
     FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
@@ -67,12 +68,16 @@ class GlFrameTracer final : public FrameTracer {
                 break;
             }
             const Tile band{0, y, width, std::min(y + rows, height)};
-            const GlFrameReport report = tracer_->draw({.trace = config}, camera, width, height, band);
+            const GlFrameReport report = tracer_->draw(complete(config), camera, width, height, band);
             clock_ = report.clock;
             time.total_ms += report.total_ms;
-            for (std::size_t pass = 0; pass < pass_count; ++pass)
+            for (std::size_t pass = 0; pass < pass_count; ++pass) {
                 if (report.pass_ms[pass] > 0)
                     time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+                if (report.shaded_pixels[pass] >= 0)
+                    time.shaded_pixels[pass] =
+                        std::max(time.shaded_pixels[pass], std::int64_t(0)) + report.shaded_pixels[pass];
+            }
             if (progress) progress(float(band.y1) / float(height));
         }
         return time;
@@ -89,14 +94,19 @@ class GlFrameTracer final : public FrameTracer {
   private:
     static constexpr int pixels_per_band = 32768;
 
+    [[nodiscard]] GlTraceConfig complete(const TraceConfig& config) const {
+        return {.trace = config, .early_z = choices_.early_z, .count_shaded = choices_.count_shaded};
+    }
+
     /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
     void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
         if (warm_ == config) return;
         const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
-        tracer_->draw({.trace = config}, camera, width, height, middle);
+        tracer_->draw(complete(config), camera, width, height, middle);
         warm_ = config;
     }
 
+    GlChoices choices_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<GlTracer> tracer_;
     std::string clock_ = "not read";
@@ -106,9 +116,9 @@ class GlFrameTracer final : public FrameTracer {
 }  // namespace
 
 std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree, int threads,
-                                               ContextKind context) {
+                                               const GlChoices& gl) {
     if (kind == TracerKind::cpu) return std::make_unique<CpuFrameTracer>(scene, tree, threads);
-    return std::make_unique<GlFrameTracer>(scene, tree, context);
+    return std::make_unique<GlFrameTracer>(scene, tree, gl);
 }
 
 }  // namespace kd

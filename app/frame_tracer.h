@@ -8,16 +8,17 @@
 #include <string>
 
 #include "app/session.h"
-#include "renderer/gl/context.h"
+#include "renderer/gl/gl_tracer.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
 
-/// What one frame took. `pass_ms` is -1 where passes are not timed apart or did not run.
+/// What one frame took. `pass_ms` is -1 where passes are not timed apart or did not run, `shaded_pixels` where not counted.
 struct FrameTime {
     double total_ms = 0;
     std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
+    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
     bool complete = true;  // false where stopped
 };
 
@@ -40,8 +41,15 @@ class FrameTracer {
     [[nodiscard]] virtual bool software_gl() const { return false; }
 };
 
-/// `scene` and `tree` must outlive the tracer. `context` and `threads` matter to GL and to the CPU alone. ContextError.
+/// What only the GL tracer asks.
+struct GlChoices {
+    ContextKind context = ContextKind::automatic;
+    EarlyZ early_z = EarlyZ::working;
+    bool count_shaded = false;
+};
+
+/// `scene` and `tree` must outlive the tracer. `gl` and `threads` matter to GL and to the CPU alone. ContextError.
 [[nodiscard]] std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene,
-                                                             const KdTree& tree, int threads, ContextKind context);
+                                                             const KdTree& tree, int threads, const GlChoices& gl);
 
 }  // namespace kd

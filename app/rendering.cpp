@@ -35,8 +35,8 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.left_out = left_out(scene_needs(r.scene, s.trace), r.scene, s.trace);
 
-    const auto tracer =
-        make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, options.context.value_or(ContextKind::automatic));
+    const GlChoices gl{options.context.value_or(ContextKind::automatic), options.early_z, options.count_shaded};
+    const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl);
     tracer->prepare(s.trace, s.width, s.height);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
     r.time = tracer->trace(s.trace, camera, s.width, s.height, context.stop, show("tracing"));

@@ -67,8 +67,8 @@ std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(co
     for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
         if (options.tracer && *options.tracer != kind) continue;
         try {
-            tracers.emplace_back(kind,
-                                 make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, context));
+            tracers.emplace_back(
+                kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, {.context = context}));
         } catch (const ContextError& error) {
             if (options.tracer || options.context) throw;
             bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), error.what()));

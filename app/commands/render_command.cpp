@@ -36,6 +36,15 @@ Json passes_json(const FrameTime& time) {
     return passes;
 }
 
+Json shaded_json(const FrameTime& time) {
+    Json shaded = Json::object();
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (time.shaded_pixels[pass] >= 0) shaded[std::string(pass_names[pass])] = time.shaded_pixels[pass];
+    return shaded;
+}
+
+std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
+
 Json json_of(const Rendering& r) {
     const PinholeCamera camera = pinhole(r.scene.camera, r.session.width, r.session.height);
     const RayCounts rays = count_rays(r.scene, r.tree, r.session.trace, camera, r.session.width, r.session.height);
@@ -52,6 +61,7 @@ Json json_of(const Rendering& r) {
             {"software_gl", r.software_gl},
             {"clock", r.clock},
             {"ms", {{"build", 1e3 * r.build.seconds}, {"trace", r.time.total_ms}, {"passes", passes_json(r.time)}}},
+            {"shaded_pixels", shaded_json(r.time)},
             {"left_out", r.left_out},
             {"counters", counters}};
 }
@@ -69,7 +79,8 @@ void print(std::ostream& out, const Rendering& r) {
                        name_of(s.tracer), r.time.total_ms, r.clock);
     for (std::size_t pass = 0; pass < pass_count; ++pass)
         if (r.time.pass_ms[pass] >= 0)
-            out << fmt::format("  {:<9} {:.1f} ms\n", pass_names[pass], r.time.pass_ms[pass]);
+            out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],
+                               shaded_text(r.time.shaded_pixels[pass]));
     out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
 }
 

@@ -44,8 +44,9 @@ void draw_constants(BuildConfig& b, const EngineState& state) {
                     "How often on one path a split may cost more than it saves before the node becomes a leaf.");
     widgets::slider("reference cap", b.reference_cap, 1, 256, "%.0f",
                     "Most entries of leaf lists per triangle: keeps hopeless scenes within memory.", true);
-    widgets::toggle("trim leaves", b.trim_leaves,
-                    "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the paper.");
+    widgets::toggle(
+        "trim leaves", b.trim_leaves,
+        "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the paper.");
 }
 
 void draw_statistics(const EngineState& state) {
@@ -75,7 +76,7 @@ void draw_tree_panel(const EngineState& state, Edit& edit) {
     draw_builder(edit);
     draw_constants(edit.session.build, state);
     if (edit.session.build != BuildConfig{.builder = edit.session.build.builder}) {
-        if (widgets::button("constants as in the paper", "Back to the values that the program starts with."))
+        if (widgets::button("default constants", "Back to the values that the program starts with."))
             edit.session.build = BuildConfig{.builder = edit.session.build.builder};
     }
     if (state.building.active) {

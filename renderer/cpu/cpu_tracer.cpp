@@ -17,31 +17,26 @@ constexpr int tile_size = 16;
 constexpr std::size_t rays_per_task = 1024;
 
 template <class Work>
-void parallel(std::size_t count, std::size_t grain, int threads, const Work& work)
-{
+void parallel(std::size_t count, std::size_t grain, int threads, const Work& work) {
     tbb::task_arena arena(threads > 0 ? threads : default_threads());
     arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                          [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, grain),
+            [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
     });
 }
 
-} // namespace
+}  // namespace
 
-int default_threads()
-{
-    return tbb::info::default_concurrency();
-}
+int default_threads() { return tbb::info::default_concurrency(); }
 
-std::string cpu_target_name()
-{
+std::string cpu_target_name() {
     // The best of the instruction sets that tile_kernel.cpp was compiled for and this processor has.
     const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_SSSE3 | HWY_AVX3_DL);
     return hwy::TargetName(usable & -usable);
 }
 
-CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>())
-{
+CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>()) {
     view_->scene = &scene;
     view_->tree = &tree;
 }
@@ -49,8 +44,7 @@ CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::ma
 CpuTracer::~CpuTracer() = default;
 CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
 
-void CpuTracer::prepare(const TraceConfig& config)
-{
+void CpuTracer::prepare(const TraceConfig& config) {
     SceneView& view = *view_;
     view.needs = scene_needs(*view.scene, config);
     if (info(config.traversal).needs_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
@@ -60,8 +54,8 @@ void CpuTracer::prepare(const TraceConfig& config)
 }
 
 bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles,
-                            Frame& frame, int threads, std::stop_token stop, const std::function<void(float)>& progress)
-{
+                            Frame& frame, int threads, std::stop_token stop,
+                            const std::function<void(float)>& progress) {
     prepare(config);
     std::atomic<std::size_t> done = 0;
     parallel(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
@@ -75,14 +69,12 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
 }
 
 bool CpuTracer::trace_frame(const TraceConfig& config, const PinholeCamera& camera, Frame& frame, int threads,
-                            std::stop_token stop, const std::function<void(float)>& progress)
-{
+                            std::stop_token stop, const std::function<void(float)>& progress) {
     return trace_tiles(config, camera, tiles_of(frame.width, frame.height, tile_size), frame, threads, stop, progress);
 }
 
 void CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
-                           std::span<RayCounters> counters, int threads)
-{
+                           std::span<RayCounters> counters, int threads) {
     prepare(config);
     parallel(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
         const std::size_t n = last - first;
@@ -91,4 +83,4 @@ void CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays,
     });
 }
 
-} // namespace kd
+}  // namespace kd

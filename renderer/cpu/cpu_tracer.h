@@ -15,12 +15,12 @@
 
 namespace kd {
 
-struct SceneView; // renderer/cpu/scene_view.h
+struct SceneView;  // renderer/cpu/scene_view.h
 
 /// Holds what tracing needs beside scene and tree (node boxes, duplicated leaf lists, made when first asked for).
 /// Scene and tree must outlive it. Calls on one tracer must not overlap; each uses as many threads as it is given.
 class CpuTracer {
-public:
+  public:
     CpuTracer(const FlatScene& scene, const KdTree& tree);
     ~CpuTracer();
     CpuTracer(CpuTracer&&) noexcept;
@@ -41,7 +41,7 @@ public:
     void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters, int threads = 0);
 
-private:
+  private:
     std::unique_ptr<SceneView> view_;
 };
 
@@ -51,4 +51,4 @@ private:
 /// Threads that "0 = all" means.
 [[nodiscard]] int default_threads();
 
-} // namespace kd
+}  // namespace kd

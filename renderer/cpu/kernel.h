@@ -4,21 +4,20 @@
 
 template <class Observer, Traversal chosen>
 class Kernel {
-public:
+  public:
     Kernel(const SceneView& scene_view, Observer& first)
         : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
-          corners(scene_view.scene->triangles.data()), duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr),
-          view(scene_view), observer(&first)
-    {
-    }
+          corners(scene_view.scene->triangles.data()),
+          duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
+          observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
 
-private:
+  private:
     const TreeNode* nodes;
     const std::int32_t* references;
-    const Triangle* corners;    // by triangle number
-    const Triangle* duplicates; // by slot of the leaf lists; null where leaves go by number
+    const Triangle* corners;     // by triangle number
+    const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
     Observer* observer;
 
@@ -32,54 +31,46 @@ private:
     KD_FN void on_exit(int reason) { observer->on_exit(reason); }
 
     // Tree.
-    KD_FN KdNode fetch_node(int node) const
-    {
+    KD_FN KdNode fetch_node(int node) const {
         const TreeNode& n = nodes[node];
         return {n.flag, n.split, n.count, n.link, n.parent};
     }
     KD_FN int fetch_reference(int slot) const { return references[slot]; }
-    KD_FN void fetch_bounds(real3& lower, real3& upper) const
-    {
+    KD_FN void fetch_bounds(real3& lower, real3& upper) const {
         lower = view.scene->bounds.lower;
         upper = view.scene->bounds.upper;
     }
-    KD_FN void fetch_node_box(int node, real3& lower, real3& upper) const
-    {
+    KD_FN void fetch_node_box(int node, real3& lower, real3& upper) const {
         lower = view.boxes[std::size_t(node)].lower;
         upper = view.boxes[std::size_t(node)].upper;
     }
 
     // Triangles and attributes.
-    KD_FN void fetch_corners(int slot, int triangle, int3 axes, real3& a, real3& b, real3& c) const
-    {
+    KD_FN void fetch_corners(int slot, int triangle, int3 axes, real3& a, real3& b, real3& c) const {
         const float* p = &(duplicates && slot >= 0 ? duplicates[slot] : corners[triangle]).corner[0].x;
         a = real3(p[axes.x], p[axes.y], p[axes.z]);
         b = real3(p[3 + axes.x], p[3 + axes.y], p[3 + axes.z]);
         c = real3(p[6 + axes.x], p[6 + axes.y], p[6 + axes.z]);
     }
     const TriangleAttributes& attributes(int triangle) const { return view.scene->attributes[std::size_t(triangle)]; }
-    void fetch_normals(int triangle, real3& a, real3& b, real3& c) const
-    {
+    void fetch_normals(int triangle, real3& a, real3& b, real3& c) const {
         const TriangleAttributes& t = attributes(triangle);
         a = t.normal[0];
         b = t.normal[1];
         c = t.normal[2];
     }
-    real2 fetch_texture_coordinates(int triangle, real u, real v) const
-    {
+    real2 fetch_texture_coordinates(int triangle, real u, real v) const {
         const TriangleAttributes& t = attributes(triangle);
         const real w = real(1) - u - v;
         return {t.uv[0].x * w + t.uv[1].x * u + t.uv[2].x * v, t.uv[0].y * w + t.uv[1].y * u + t.uv[2].y * v};
     }
     int fetch_material_index(int triangle) const { return attributes(triangle).material; }
     Material fetch_material(int index) const { return view.scene->materials[std::size_t(index)]; }
-    int2 fetch_texture_size(int texture) const
-    {
+    int2 fetch_texture_size(int texture) const {
         const Image<Rgba8>& image = view.scene->textures[std::size_t(texture)];
         return {image.width, image.height};
     }
-    real3 fetch_texel(int texture, int x, int y) const
-    {
+    real3 fetch_texel(int texture, int x, int y) const {
         const Rgba8 c = view.scene->textures[std::size_t(texture)].at(x, y);
         return real3(c.r, c.g, c.b) / real(255);
     }
@@ -95,17 +86,16 @@ private:
     real3 scene_background() const { return view.scene->background; }
     int step_budget() const { return cpu_step_budget; }
 
-public:
+  public:
 #define KD_STACK_SIZE max_tree_depth
 #define KD_TRAVERSE traverse_chosen
 #include "shaders/shared/kernel.glsl"
 #undef KD_TRAVERSE
 #undef KD_STACK_SIZE
 
-private:
+  private:
     // One copy of the walk per kernel; every ray type calls it.
-    [[gnu::noinline]] void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit)
-    {
+    [[gnu::noinline]] void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit) {
 #define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
     if constexpr (chosen == Traversal::name) traverse_##name(s, any_hit, hit);
 #include "shaders/shared/traversals.glsl"

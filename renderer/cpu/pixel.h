@@ -1,8 +1,7 @@
 // One pixel through the paper's four passes. Included by tile_kernel.cpp once per instruction set, like kernel.h.
 
 template <class Kernel, class Observer>
-void trace_pixel(Kernel& kernel, const TileJob& job, int x, int y)
-{
+void trace_pixel(Kernel& kernel, const TileJob& job, int x, int y) {
     using Path = typename Kernel::Path;
     Frame& frame = job.frame;
     const std::size_t i = frame.colour.index(x, y);

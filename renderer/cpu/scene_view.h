@@ -15,9 +15,9 @@ struct SceneView {
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
     SceneNeeds needs;
-    bool duplicated = false;                  // leaves read duplicated_corners by slot, not triangles by number
-    std::vector<Triangle> duplicated_corners; // made when first asked for
-    std::vector<Aabb> boxes;                  // made for traversals that climb
+    bool duplicated = false;                   // leaves read duplicated_corners by slot, not triangles by number
+    std::vector<Triangle> duplicated_corners;  // made when first asked for
+    std::vector<Aabb> boxes;                   // made for traversals that climb
 };
 
-} // namespace kd
+}  // namespace kd

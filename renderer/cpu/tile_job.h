@@ -25,11 +25,11 @@ struct RayJob {
     std::span<const Ray> rays;
     bool any_hit;
     std::span<Hit> hits;
-    std::span<RayCounters> counters; // empty: not counted
+    std::span<RayCounters> counters;  // empty: not counted
 };
 
 // Defined in tile_kernel.cpp, dispatched to the best instruction set of this processor.
 void run_tile_job(const TileJob& job);
 void run_ray_job(const RayJob& job);
 
-} // namespace kd
+}  // namespace kd

@@ -6,7 +6,7 @@
 #include "renderer/trace/observer.h"
 
 #ifdef KD_SANITIZED
-#define HWY_COMPILE_ONLY_STATIC // instrumented builds are slow to compile; one instruction set is enough for them
+#define HWY_COMPILE_ONLY_STATIC  // instrumented builds are slow to compile; one instruction set is enough for them
 #endif
 // SSE4, AVX2 and AVX-512 are worth having; the others repeat them.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
@@ -23,8 +23,7 @@ namespace kd::HWY_NAMESPACE {
 #include "renderer/cpu/pixel.h"
 
 template <class Observer, Traversal chosen>
-void tile_with(const TileJob& job)
-{
+void tile_with(const TileJob& job) {
     Observer observer;
     Kernel<Observer, chosen> kernel(job.view, observer);
     for (int y = job.tile.y0; y < job.tile.y1; ++y)
@@ -33,8 +32,7 @@ void tile_with(const TileJob& job)
 }
 
 template <class Observer, Traversal chosen>
-void rays_with(const RayJob& job)
-{
+void rays_with(const RayJob& job) {
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
         Observer observer;
         Kernel<Observer, chosen> kernel(job.view, observer);
@@ -46,38 +44,36 @@ void rays_with(const RayJob& job)
 }
 
 template <class Observer>
-void tile_by_traversal(const TileJob& job)
-{
+void tile_by_traversal(const TileJob& job) {
     switch (job.config.traversal) {
 #define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
-    case Traversal::name: return tile_with<Observer, Traversal::name>(job);
+    case Traversal::name:                                                                                              \
+        return tile_with<Observer, Traversal::name>(job);
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
     }
 }
 
 template <class Observer>
-void rays_by_traversal(const RayJob& job)
-{
+void rays_by_traversal(const RayJob& job) {
     switch (job.config.traversal) {
 #define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
-    case Traversal::name: return rays_with<Observer, Traversal::name>(job);
+    case Traversal::name:                                                                                              \
+        return rays_with<Observer, Traversal::name>(job);
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
     }
 }
 
-void RunTileJob(const TileJob& job)
-{
+void RunTileJob(const TileJob& job) {
     job.config.counters ? tile_by_traversal<CountingObserver>(job) : tile_by_traversal<NullObserver>(job);
 }
 
-void RunRayJob(const RayJob& job)
-{
+void RunRayJob(const RayJob& job) {
     job.counters.empty() ? rays_by_traversal<NullObserver>(job) : rays_by_traversal<CountingObserver>(job);
 }
 
-} // namespace kd::HWY_NAMESPACE
+}  // namespace kd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -88,15 +84,9 @@ namespace kd {
 HWY_EXPORT(RunTileJob);
 HWY_EXPORT(RunRayJob);
 
-void run_tile_job(const TileJob& job)
-{
-    HWY_DYNAMIC_DISPATCH(RunTileJob)(job);
-}
+void run_tile_job(const TileJob& job) { HWY_DYNAMIC_DISPATCH(RunTileJob)(job); }
 
-void run_ray_job(const RayJob& job)
-{
-    HWY_DYNAMIC_DISPATCH(RunRayJob)(job);
-}
+void run_ray_job(const RayJob& job) { HWY_DYNAMIC_DISPATCH(RunRayJob)(job); }
 
-} // namespace kd
+}  // namespace kd
 #endif

@@ -18,19 +18,17 @@ struct Aabb {
     [[nodiscard]] Vec3 extent() const { return upper - lower; }
     [[nodiscard]] Vec3 centre() const { return lower + 0.5f * (upper - lower); }
 
-    void include(Vec3 point)
-    {
+    void include(Vec3 point) {
         lower = glm::min(lower, point);
         upper = glm::max(upper, point);
     }
 
     /// Sum of the areas of the six faces; 0 for the empty box. In double: products of extents of huge scenes overflow float.
-    [[nodiscard]] double surface_area() const
-    {
+    [[nodiscard]] double surface_area() const {
         if (empty()) return 0.0;
         const glm::dvec3 d = glm::dvec3(upper) - glm::dvec3(lower);
         return 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
     }
 };
 
-} // namespace kd
+}  // namespace kd

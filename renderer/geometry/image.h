@@ -18,8 +18,7 @@ struct Image {
 
     bool operator==(const Image&) const = default;
 
-    [[nodiscard]] std::size_t index(int x, int y) const
-    {
+    [[nodiscard]] std::size_t index(int x, int y) const {
         assert(contains(x, y));
         return std::size_t(y) * std::size_t(width) + std::size_t(x);
     }
@@ -35,4 +34,4 @@ struct Rgba8 {
     bool operator==(const Rgba8&) const = default;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -10,4 +10,4 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-} // namespace kd
+}  // namespace kd

@@ -14,14 +14,14 @@
 #define INOUT(T) T&
 #define IN(T) const T&
 #define PRECISE
-#define AXIS(vector, axis) (&(vector).x)[axis] // glm's own [] branches on the index
+#define AXIS(vector, axis) (&(vector).x)[axis]  // glm's own [] branches on the index
 #ifdef KD_SANITIZED
-#define KD_FN inline // instrumented, everything in one function takes minutes to compile
+#define KD_FN inline  // instrumented, everything in one function takes minutes to compile
 #else
 #define KD_FN [[gnu::always_inline]] inline
 #endif
 #define KD_CONST(T) static constexpr T
-#define IS_NAN(x) false // in C++ a comparison with NaN fails by itself
+#define IS_NAN(x) false  // in C++ a comparison with NaN fails by itself
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)
 
 namespace kd {
@@ -48,13 +48,13 @@ inline namespace f32 {
 KD_SHARED_SCALAR(float)
 #include "shaders/shared/constants.glsl"
 #include "shaders/shared/types.glsl"
-} // namespace f32
+}  // namespace f32
 
 namespace f64 {
 KD_SHARED_SCALAR(double)
 #include "shaders/shared/constants.glsl"
 #include "shaders/shared/types.glsl"
-} // namespace f64
+}  // namespace f64
 
 #undef KD_SHARED_SCALAR
 
@@ -62,4 +62,4 @@ using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 
-} // namespace kd
+}  // namespace kd

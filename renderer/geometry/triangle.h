@@ -13,11 +13,10 @@ struct Triangle {
     bool operator==(const Triangle&) const = default;
 };
 
-[[nodiscard]] inline Aabb bounds_of(const Triangle& triangle)
-{
+[[nodiscard]] inline Aabb bounds_of(const Triangle& triangle) {
     Aabb box;
     for (const Vec3& point : triangle.corner) box.include(point);
     return box;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -18,24 +18,14 @@ constexpr CounterInfo table[] = {
 };
 constexpr std::array<std::string_view, 5> reasons{"miss", "hit", "step cap", "stack overflow", "invalid ray"};
 
-std::uint32_t bits(float x)
-{
-    return std::bit_cast<std::uint32_t>(x);
-}
-} // namespace
+std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+}  // namespace
 
-std::span<const CounterInfo> counter_table()
-{
-    return table;
-}
+std::span<const CounterInfo> counter_table() { return table; }
 
-std::string_view exit_reason_name(uint reason)
-{
-    return reason < reasons.size() ? reasons[reason] : "unknown";
-}
+std::string_view exit_reason_name(uint reason) { return reason < reasons.size() ? reasons[reason] : "unknown"; }
 
-void CounterTotals::add(const RayCounters& c)
-{
+void CounterTotals::add(const RayCounters& c) {
     ++rays;
     interior_first += c.interior_first;
     interior_again += c.interior_again;
@@ -46,8 +36,7 @@ void CounterTotals::add(const RayCounters& c)
     stack_depth = std::max<std::uint64_t>(stack_depth, c.stack_depth);
 }
 
-void accumulate(RayCounters& a, const RayCounters& b)
-{
+void accumulate(RayCounters& a, const RayCounters& b) {
     a.interior_first += b.interior_first;
     a.interior_again += b.interior_again;
     a.leaves += b.leaves;
@@ -58,15 +47,13 @@ void accumulate(RayCounters& a, const RayCounters& b)
     a.exit_reason = std::max(a.exit_reason, b.exit_reason);
 }
 
-bool operator==(const RayCounters& a, const RayCounters& b)
-{
+bool operator==(const RayCounters& a, const RayCounters& b) {
     return std::ranges::all_of(table, [&](const CounterInfo& c) { return a.*c.field == b.*c.field; }) &&
            a.exit_reason == b.exit_reason;
 }
 
-bool bit_equal(const Hit& a, const Hit& b)
-{
+bool bit_equal(const Hit& a, const Hit& b) {
     return a.triangle == b.triangle && bits(a.t) == bits(b.t) && bits(a.u) == bits(b.u) && bits(a.v) == bits(b.v);
 }
 
-} // namespace kd
+}  // namespace kd

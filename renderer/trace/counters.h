@@ -9,8 +9,8 @@
 namespace kd {
 
 struct CounterInfo {
-    std::string_view name;  // in files and on the command line: "interior_first"
-    std::string_view title; // for people: "interior nodes, first visits"
+    std::string_view name;   // in files and on the command line: "interior_first"
+    std::string_view title;  // for people: "interior nodes, first visits"
     std::string_view unit;
     uint RayCounters::*field;
 };
@@ -35,4 +35,4 @@ void accumulate(RayCounters& a, const RayCounters& b);
 [[nodiscard]] bool operator==(const RayCounters& a, const RayCounters& b);
 [[nodiscard]] bool bit_equal(const Hit& a, const Hit& b);
 
-} // namespace kd
+}  // namespace kd

@@ -4,16 +4,14 @@
 
 namespace kd {
 
-Frame::Frame(int w, int h) : width(w), height(h), colour(w, h, Vec4(0))
-{
+Frame::Frame(int w, int h) : width(w), height(h), colour(w, h, Vec4(0)) {
     for (RayLayer& layer : layers) {
         layer.hit = Image<Hit>(w, h, Hit{-1, 0.0f, 0.0f, 0.0f});
         layer.counters = Image<RayCounters>(w, h);
     }
 }
 
-std::vector<Tile> tiles_of(int width, int height, int size)
-{
+std::vector<Tile> tiles_of(int width, int height, int size) {
     std::vector<Tile> tiles;
     for (int y = 0; y < height; y += size)
         for (int x = 0; x < width; x += size)
@@ -21,4 +19,4 @@ std::vector<Tile> tiles_of(int width, int height, int size)
     return tiles;
 }
 
-} // namespace kd
+}  // namespace kd

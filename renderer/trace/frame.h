@@ -14,7 +14,8 @@ enum class Pass { rt_prim, shade_prim, rt_refl, shade_refl };
 inline constexpr int pass_count = 4;
 inline constexpr std::array<std::string_view, pass_count> pass_names{"RTPrim", "ShadePrim", "RTRefl", "ShadeRefl"};
 /// The rays a pass traces.
-inline constexpr std::array<std::string_view, pass_count> ray_names{"primary", "shadow", "reflection", "reflection shadow"};
+inline constexpr std::array<std::string_view, pass_count> ray_names{"primary", "shadow", "reflection",
+                                                                    "reflection shadow"};
 
 /// Hits and counters of one pass's rays. A pixel whose pass traced nothing has hit.triangle = -1 and all counters 0.
 /// shade_*: `hit` is the first occluder found over the lights, counters are sums over the lights (maximum for
@@ -27,7 +28,7 @@ struct RayLayer {
 struct Frame {
     int width = 0;
     int height = 0;
-    Image<Vec4> colour; // display-referred, may exceed 1, alpha 1 once traced
+    Image<Vec4> colour;  // display-referred, may exceed 1, alpha 1 once traced
     std::array<RayLayer, pass_count> layers;
 
     Frame() = default;
@@ -46,4 +47,4 @@ struct Tile {
 /// The tiles of a width x height image, row by row; `size` pixels square but for those at the right and lower edges.
 [[nodiscard]] std::vector<Tile> tiles_of(int width, int height, int size);
 
-} // namespace kd
+}  // namespace kd

@@ -30,4 +30,4 @@ struct CountingObserver {
     void on_exit(int reason) { counters.exit_reason = std::max(counters.exit_reason, uint(reason)); }
 };
 
-} // namespace kd
+}  // namespace kd

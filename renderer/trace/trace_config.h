@@ -12,11 +12,11 @@ struct TraceConfig {
     Traversal traversal = Traversal::stack;
     LeafLists leaf_lists = LeafLists::references;
     bool shadows = true;
-    int reflection_depth = 1;          // bounces; the paper's one-bounce reflection
-    float least_contribution = 0.004f; // a reflection that adds less (0..1 per channel) is not followed: 1/255
+    int reflection_depth = 1;           // bounces; the paper's one-bounce reflection
+    float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255
     bool counters = true;
 
     bool operator==(const TraceConfig&) const = default;
 };
 
-} // namespace kd
+}  // namespace kd

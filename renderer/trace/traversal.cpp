@@ -9,23 +9,16 @@ constexpr TraversalInfo table[] = {
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
 };
-} // namespace
+}  // namespace
 
-std::span<const TraversalInfo> traversals()
-{
-    return table;
-}
+std::span<const TraversalInfo> traversals() { return table; }
 
-const TraversalInfo& info(Traversal traversal)
-{
-    return table[static_cast<std::size_t>(traversal)];
-}
+const TraversalInfo& info(Traversal traversal) { return table[static_cast<std::size_t>(traversal)]; }
 
-std::optional<Traversal> find_traversal(std::string_view name)
-{
+std::optional<Traversal> find_traversal(std::string_view name) {
     for (const TraversalInfo& t : table)
         if (t.name == name) return t.id;
     return std::nullopt;
 }
 
-} // namespace kd
+}  // namespace kd

@@ -15,9 +15,9 @@ enum class Traversal {
 
 struct TraversalInfo {
     Traversal id;
-    std::string_view name;     // on the command line
-    std::string_view function; // in the shared text
-    bool needs_boxes;          // reads the box of every node
+    std::string_view name;      // on the command line
+    std::string_view function;  // in the shared text
+    bool needs_boxes;           // reads the box of every node
     bool needs_stack;
     std::string_view summary;
 };
@@ -26,4 +26,4 @@ struct TraversalInfo {
 [[nodiscard]] const TraversalInfo& info(Traversal traversal);
 [[nodiscard]] std::optional<Traversal> find_traversal(std::string_view name);
 
-} // namespace kd
+}  // namespace kd

@@ -1,5 +1,5 @@
 // The whole tracer, written once. A host includes types.glsl, counters.glsl and constants.glsl, defines the hooks below,
-// then includes this file: GLSL at file scope, C++ inside a class template (renderer/trace/kernel.h).
+// then includes this file: GLSL at file scope, C++ inside a class template (renderer/cpu/kernel.h).
 //
 // Data:     KdNode fetch_node(int node)                     int fetch_reference(int slot)
 //           void fetch_node_box(int node, OUT lower, OUT upper)   void fetch_bounds(OUT lower, OUT upper)

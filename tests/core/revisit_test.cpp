@@ -13,7 +13,7 @@
 namespace kd {
 namespace test_kernel {
 #include "renderer/cpu/kernel.h"
-} // namespace test_kernel
+}  // namespace test_kernel
 
 namespace {
 
@@ -22,20 +22,17 @@ struct SetObserver : NullObserver {
     bool consistent = true;
     int again_count = 0;
 
-    void on_interior(int node, bool again)
-    {
+    void on_interior(int node, bool again) {
         if (interior.insert(node).second == again) consistent = false;
         again_count += again;
     }
-    void on_leaf(int node)
-    {
+    void on_leaf(int node) {
         if (!leaves.insert(node).second) consistent = false;
     }
 };
 
 template <Traversal traversal>
-void check(const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& rays)
-{
+void check(const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& rays) {
     SceneView view;
     view.scene = &scene;
     view.tree = &tree;
@@ -52,8 +49,7 @@ void check(const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& r
     EXPECT_EQ(again > 0, traversal != Traversal::stack);
 }
 
-TEST(Revisit, FlagMeansThatThisRayHasBeenThere)
-{
+TEST(Revisit, FlagMeansThatThisRayHasBeenThere) {
     const FlatScene scene = test::scene_of(test::random_soup(400, 0.05f, 21));
     const KdTree tree = build_tree(scene.triangles, {});
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 3000, 6);
@@ -62,8 +58,7 @@ TEST(Revisit, FlagMeansThatThisRayHasBeenThere)
     check<Traversal::backtrack>(scene, tree, rays);
 }
 
-TEST(Revisit, HoldsOnLatticeScenes)
-{
+TEST(Revisit, HoldsOnLatticeScenes) {
     const FlatScene scene = test::scene_of(test::voxel_city(4));
     const KdTree tree = build_tree(scene.triangles, {});
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 3000, 6);
@@ -72,5 +67,5 @@ TEST(Revisit, HoldsOnLatticeScenes)
     check<Traversal::backtrack>(scene, tree, rays);
 }
 
-} // namespace
-} // namespace kd
+}  // namespace
+}  // namespace kd

@@ -6,8 +6,7 @@
 
 namespace kd::test {
 
-std::uint32_t Random::bits()
-{
+std::uint32_t Random::bits() {
     const std::uint64_t old = state_;
     state_ = old * 6364136223846793005ull + 1442695040888963407ull;
     const auto shifted = std::uint32_t(((old >> 18u) ^ old) >> 27u);
@@ -15,25 +14,17 @@ std::uint32_t Random::bits()
     return (shifted >> turn) | (shifted << ((32u - turn) & 31u));
 }
 
-float Random::uniform(float low, float high)
-{
-    return low + (high - low) * (float(bits() >> 8u) / 16777216.0f);
-}
+float Random::uniform(float low, float high) { return low + (high - low) * (float(bits() >> 8u) / 16777216.0f); }
 
-int Random::below(int n)
-{
-    return int(bits() % std::uint32_t(n));
-}
+int Random::below(int n) { return int(bits() % std::uint32_t(n)); }
 
-Vec3 Random::point(float low, float high)
-{
+Vec3 Random::point(float low, float high) {
     const float x = uniform(low, high);
     const float y = uniform(low, high);
     return {x, y, uniform(low, high)};
 }
 
-FlatScene scene_of(std::vector<Triangle> triangles)
-{
+FlatScene scene_of(std::vector<Triangle> triangles) {
     FlatScene scene;
     scene.name = "test";
     for (const Triangle& t : triangles) {
@@ -51,8 +42,7 @@ FlatScene scene_of(std::vector<Triangle> triangles)
     return scene;
 }
 
-std::vector<Triangle> random_soup(int n, float size, unsigned seed)
-{
+std::vector<Triangle> random_soup(int n, float size, unsigned seed) {
     Random random(seed);
     std::vector<Triangle> soup;
     for (int i = 0; i < n; ++i) {
@@ -64,8 +54,7 @@ std::vector<Triangle> random_soup(int n, float size, unsigned seed)
     return soup;
 }
 
-std::vector<Triangle> sphere(int columns, int rows, float radius, Vec3 centre)
-{
+std::vector<Triangle> sphere(int columns, int rows, float radius, Vec3 centre) {
     const auto point = [&](int c, int r) {
         const double phi = 2.0 * M_PI * (c % columns) / columns;
         const double theta = M_PI * r / rows;
@@ -83,9 +72,9 @@ std::vector<Triangle> sphere(int columns, int rows, float radius, Vec3 centre)
     return mesh;
 }
 
-std::vector<Triangle> voxel_city(int n)
-{
-    static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+std::vector<Triangle> voxel_city(int n) {
+    static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                        {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     std::vector<Triangle> city;
     for (int x = 0; x < n; ++x)
         for (int y = 0; y < n; ++y)
@@ -100,8 +89,7 @@ std::vector<Triangle> voxel_city(int n)
     return city;
 }
 
-FlatScene mirror_scene(int soup_triangles, unsigned seed)
-{
+FlatScene mirror_scene(int soup_triangles, unsigned seed) {
     std::vector<Triangle> triangles = random_soup(soup_triangles, 0.12f, seed);
     const std::size_t ball_begin = triangles.size();
     for (const Triangle& t : sphere(16, 10, 0.3f, Vec3(0.5f, 0.3f, 0.6f))) triangles.push_back(t);
@@ -115,7 +103,8 @@ FlatScene mirror_scene(int soup_triangles, unsigned seed)
     scene.materials.push_back({Vec3(0.2f, 0.5f, 0.3f), Vec3(0.4f), Vec3(0.3f), 80.0f, 0});
     Image<Rgba8> checker(5, 3);
     for (std::size_t i = 0; i < checker.pixels.size(); ++i)
-        checker.pixels[i] = {static_cast<unsigned char>(40 * i % 256), static_cast<unsigned char>(255 - 13 * i), 128, 255};
+        checker.pixels[i] = {static_cast<unsigned char>(40 * i % 256), static_cast<unsigned char>(255 - 13 * i), 128,
+                             255};
     scene.textures.push_back(checker);
     for (std::size_t i = ball_begin; i < floor_begin; ++i) {
         TriangleAttributes& t = scene.attributes[i];
@@ -127,16 +116,17 @@ FlatScene mirror_scene(int soup_triangles, unsigned seed)
     }
     for (std::size_t i = floor_begin; i < scene.triangles.size(); ++i) scene.attributes[i].material = 1;
     scene.has_normals = true;
-    scene.lights.push_back(
-        {KD_LIGHT_SPOT, Vec3(-1, 3, 0), glm::normalize(Vec3(1, -2, 0.4f)), Vec3(3.0f), Vec2(0.5f, 0.2f), 20.0f, 0.95f, 0.6f});
+    scene.lights.push_back({KD_LIGHT_SPOT, Vec3(-1, 3, 0), glm::normalize(Vec3(1, -2, 0.4f)), Vec3(3.0f),
+                            Vec2(0.5f, 0.2f), 20.0f, 0.95f, 0.6f});
     scene.camera = {Vec3(0.4f, 1.2f, 3.0f), Vec3(0.5f, 0.3f, 0.5f), Vec3(0, 1, 0), 40.0f};
     return scene;
 }
 
-std::vector<Ray> unkind_rays(const std::vector<Triangle>& triangles, int n, unsigned seed)
-{
+std::vector<Ray> unkind_rays(const std::vector<Triangle>& triangles, int n, unsigned seed) {
     Random random(seed);
-    const auto corner = [&] { return triangles[std::size_t(random.below(int(triangles.size())))].corner[std::size_t(random.below(3))]; };
+    const auto corner = [&] {
+        return triangles[std::size_t(random.below(int(triangles.size())))].corner[std::size_t(random.below(3))];
+    };
     const auto towards = [](Vec3 from, Vec3 to) { return Ray{from, to - from, 0.0f, KD_T_LIMIT, -1}; };
     const auto axis_direction = [&] {
         // The two other components are +0 or -0.
@@ -149,28 +139,27 @@ std::vector<Ray> unkind_rays(const std::vector<Triangle>& triangles, int n, unsi
         const Vec3 from = random.point(-1.5f, 2.5f);
         const Vec3 p = corner();
         switch (random.below(8)) {
-        case 0: rays.push_back(towards(from, p)); break;
-        case 1: rays.push_back(towards(from, glm::mix(p, corner(), random.uniform(0, 1)))); break;
-        case 2: rays.push_back({from, axis_direction(), 0.0f, KD_T_LIMIT, -1}); break;
-        case 3: rays.push_back({p, axis_direction(), 0.0f, KD_T_LIMIT, -1}); break;
-        case 4: rays.push_back(towards(p, corner())); break;
-        case 5: { // inside a plane through a vertex
-            Vec3 o = from, d = random.point(-1, 1);
-            const int axis = random.below(3);
-            o[axis] = p[axis];
-            d[axis] = random.below(2) ? 0.0f : -0.0f;
-            rays.push_back({o, d, 0.0f, KD_T_LIMIT, -1});
-            break;
-        }
-        case 6: rays.push_back(towards(from * 1000.0f, p)); break;
-        default: rays.push_back(towards(from, random.point(0, 1))); break;
+            case 0: rays.push_back(towards(from, p)); break;
+            case 1: rays.push_back(towards(from, glm::mix(p, corner(), random.uniform(0, 1)))); break;
+            case 2: rays.push_back({from, axis_direction(), 0.0f, KD_T_LIMIT, -1}); break;
+            case 3: rays.push_back({p, axis_direction(), 0.0f, KD_T_LIMIT, -1}); break;
+            case 4: rays.push_back(towards(p, corner())); break;
+            case 5: {  // inside a plane through a vertex
+                Vec3 o = from, d = random.point(-1, 1);
+                const int axis = random.below(3);
+                o[axis] = p[axis];
+                d[axis] = random.below(2) ? 0.0f : -0.0f;
+                rays.push_back({o, d, 0.0f, KD_T_LIMIT, -1});
+                break;
+            }
+            case 6: rays.push_back(towards(from * 1000.0f, p)); break;
+            default: rays.push_back(towards(from, random.point(0, 1))); break;
         }
     }
     return rays;
 }
 
-std::string hex(const Ray& ray)
-{
+std::string hex(const Ray& ray) {
     char text[256];
     std::snprintf(text, sizeof text, "o=(%a, %a, %a) d=(%a, %a, %a) t=(%a, %a) source=%d", double(ray.origin.x),
                   double(ray.origin.y), double(ray.origin.z), double(ray.direction.x), double(ray.direction.y),
@@ -178,4 +167,4 @@ std::string hex(const Ray& ray)
     return text;
 }
 
-} // namespace kd::test
+}  // namespace kd::test

@@ -9,14 +9,14 @@ namespace kd::test {
 
 /// Deterministic numbers (PCG, O'Neill 2014), the same with every standard library.
 class Random {
-public:
+  public:
     explicit Random(unsigned seed) : state_(seed * 2654435769u + 1u) {}
     [[nodiscard]] std::uint32_t bits();
     [[nodiscard]] float uniform(float low, float high);
     [[nodiscard]] int below(int n);
     [[nodiscard]] Vec3 point(float low, float high);
 
-private:
+  private:
     std::uint64_t state_;
 };
 
@@ -41,4 +41,4 @@ private:
 /// "o=(0x1.8p+0, ...) d=(...)" so that a failing ray can be repeated exactly.
 [[nodiscard]] std::string hex(const Ray& ray);
 
-} // namespace kd::test
+}  // namespace kd::test
