@@ -13,7 +13,7 @@ namespace kd {
 
 struct OverlayConfig {
     bool show = false;
-    int max_depth = 9;        // cells down to this depth
+    int max_depth = 6;        // cells down to this depth
     bool planes = true;       // outlines of split planes
     bool boxes = true;        // outlines of the cells at max_depth (or leaves above it)
     bool hidden_line = true;  // hide what lies behind the surface seen; otherwise it shows faintly
