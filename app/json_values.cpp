@@ -137,16 +137,7 @@ std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayC
 
 CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes) {
     CounterTotals sum;
-    for (const CounterTotals& t : passes) {
-        sum.rays += t.rays;
-        sum.interior_first += t.interior_first;
-        sum.interior_again += t.interior_again;
-        sum.leaves += t.leaves;
-        sum.triangle_tests += t.triangle_tests;
-        sum.restarts += t.restarts;
-        sum.backtracks += t.backtracks;
-        sum.stack_depth = std::max(sum.stack_depth, t.stack_depth);
-    }
+    for (const CounterTotals& t : passes) sum.merge(t);
     return sum;
 }
 

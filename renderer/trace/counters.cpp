@@ -26,25 +26,18 @@ std::span<const CounterInfo> counter_table() { return table; }
 std::string_view exit_reason_name(uint reason) { return reason < reasons.size() ? reasons[reason] : "unknown"; }
 
 void CounterTotals::add(const RayCounters& c) {
-    ++rays;
-    interior_first += c.interior_first;
-    interior_again += c.interior_again;
-    leaves += c.leaves;
-    triangle_tests += c.triangle_tests;
-    restarts += c.restarts;
-    backtracks += c.backtracks;
-    stack_depth = std::max<std::uint64_t>(stack_depth, c.stack_depth);
+    merge({1, c.interior_first, c.interior_again, c.leaves, c.triangle_tests, c.restarts, c.backtracks, c.stack_depth});
 }
 
-void accumulate(RayCounters& a, const RayCounters& b) {
-    a.interior_first += b.interior_first;
-    a.interior_again += b.interior_again;
-    a.leaves += b.leaves;
-    a.triangle_tests += b.triangle_tests;
-    a.restarts += b.restarts;
-    a.backtracks += b.backtracks;
-    a.stack_depth = std::max(a.stack_depth, b.stack_depth);
-    a.exit_reason = std::max(a.exit_reason, b.exit_reason);
+void CounterTotals::merge(const CounterTotals& other) {
+    rays += other.rays;
+    interior_first += other.interior_first;
+    interior_again += other.interior_again;
+    leaves += other.leaves;
+    triangle_tests += other.triangle_tests;
+    restarts += other.restarts;
+    backtracks += other.backtracks;
+    stack_depth = std::max(stack_depth, other.stack_depth);
 }
 
 bool operator==(const RayCounters& a, const RayCounters& b) {

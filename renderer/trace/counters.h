@@ -26,11 +26,9 @@ struct CounterTotals {
     std::uint64_t rays = 0, interior_first = 0, interior_again = 0, leaves = 0, triangle_tests = 0, restarts = 0,
                   backtracks = 0, stack_depth = 0;
     void add(const RayCounters& c);
+    void merge(const CounterTotals& other);
     bool operator==(const CounterTotals&) const = default;
 };
-
-/// Adds `b` to `a` as Frame defines it for sums over rays of one pixel: maximum for stack_depth and exit_reason.
-void accumulate(RayCounters& a, const RayCounters& b);
 
 [[nodiscard]] bool operator==(const RayCounters& a, const RayCounters& b);
 [[nodiscard]] bool bit_equal(const Hit& a, const Hit& b);
