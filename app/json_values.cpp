@@ -65,6 +65,7 @@ Json json_of(const Session& s) {
               {"width", s.width},
               {"height", s.height},
               {"tracer", name_of(s.tracer)},
+              {"early_z", name_of(s.early_z)},
               {"traversal", info(s.trace.traversal).name},
               {"rules", "robust"},
               {"leaf_lists", name_of(s.trace.leaf_lists)},
