@@ -88,9 +88,11 @@ void add_tracing_options(CLI::App& app, CommonOptions& o) {
                                                       {"gl-fragment", TracerKind::gl_fragment}};
     const std::vector<NamedValue<ContextKind>> contexts{
         {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
-    const std::vector<NamedValue<std::string>> rules{{"robust", "robust"}};
+    std::vector<NamedValue<Rules>> rules;
+    for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
     add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree [stack]")->group("Tracing");
-    add_choice(app, "--rules", o.rules, rules, "How a walk decides between children [robust]")->group("Tracing");
+    add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]")
+        ->group("Tracing");
     add_choice(app, "--tracer", o.tracer, tracers, "What traces: the CPU, or GLSL fragment passes [cpu]")
         ->group("Tracing");
     add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from [auto]")->group("Tracing");

@@ -30,7 +30,6 @@ struct CommonOptions {
     std::optional<ContextKind> context;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
-    std::string rules = "robust";
     bool no_shadows = false;
 
     /// The session with all that was given, for one of the scenes.

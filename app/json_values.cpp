@@ -66,7 +66,7 @@ Json json_of(const Session& s) {
               {"height", s.height},
               {"tracer", name_of(s.tracer)},
               {"traversal", info(s.trace.traversal).name},
-              {"rules", "robust"},
+              {"rules", info(s.trace.rules).name},
               {"leaf_lists", name_of(s.trace.leaf_lists)},
               {"shadows", s.trace.shadows},
               {"reflection_depth", s.trace.reflection_depth},
