@@ -40,9 +40,11 @@ std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& co
 
 std::span<const StabilityCase> stability_cases() {
     static const std::vector<StabilityCase> table = [] {
-#define KD_CASE_ENTRY(id) case_##id(),
-        std::vector<StabilityCase> cases{KD_STABILITY_CASES(KD_CASE_ENTRY)};
-#undef KD_CASE_ENTRY
+        std::vector<StabilityCase> cases{
+#define KD_CASE(id) case_##id(),
+#include "renderer/measure/stability/case_list.inc"
+#undef KD_CASE
+        };
         std::ranges::sort(cases, {}, &StabilityCase::id);
         return cases;
     }();
