@@ -111,12 +111,13 @@ void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& d
                                                       {"gl-fragment", TracerKind::gl_fragment}};
     const std::vector<NamedValue<ContextKind>> contexts{
         {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
-    const std::vector<NamedValue<std::string>> rules{{"robust", "robust"}};
+    std::vector<NamedValue<Rules>> rules;
+    for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
     const auto text = [](const char* what, std::string_view value) { return fmt::format("{} [{}]", what, value); };
     std::vector<CLI::Option*> all{
         add_choice(app, "--traversal", o.traversal, traversal_names(),
                    text("How rays walk the tree", defaults.traversal)),
-        add_choice(app, "--rules", o.rules, rules, "How a walk decides between children [robust]"),
+        add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]"),
         add_choice(app, "--tracer", o.tracer, tracers,
                    text("What traces: the CPU, or GLSL fragment passes", defaults.tracer)),
         add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),

@@ -35,7 +35,6 @@ struct CommonOptions {
     std::optional<std::string> builder;
     std::optional<ContextKind> context;
     bool count_shaded = false;
-    std::string rules = "robust";
     bool no_shadows = false;
 
     /// The session with all that was given, for one of the scenes.

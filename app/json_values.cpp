@@ -67,7 +67,7 @@ Json json_of(const Session& s) {
               {"tracer", name_of(s.tracer)},
               {"early_z", name_of(s.early_z)},
               {"traversal", info(s.trace.traversal).name},
-              {"rules", "robust"},
+              {"rules", info(s.trace.rules).name},
               {"leaf_lists", name_of(s.trace.leaf_lists)},
               {"shadows", s.trace.shadows},
               {"reflection_depth", s.trace.reflection_depth},

@@ -27,6 +27,7 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     VerifyConfig config = options.config;
     config.width = session.width;
     config.height = session.height;
+    config.rules = session.trace.rules;
     config.seed = session.seed;
     config.threads = session.threads;
     if (options.builder) config.builders = {*options.builder};

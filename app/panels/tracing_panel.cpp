@@ -62,6 +62,15 @@ void draw_early_z(Edit& edit) {
     ImGui::EndDisabled();
 }
 
+void draw_rules(TraceConfig& trace) {
+    static const std::vector<widgets::Option> options = widgets::options_of(all_rules());
+    int index = int(trace.rules);
+    if (widgets::choice("rules", index, options,
+                        "How a walk decides between children and goes on. Published rules lose rays that touch split "
+                        "planes, and some walks never end: see the map 'exit'. Option --rules."))
+        trace.rules = Rules(index);
+}
+
 /// What the GPU shaded in the frame shown, pass by pass.
 void draw_shaded(const Picture& picture) {
     widgets::heading("pixels shaded by each pass");
@@ -93,9 +102,7 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
     draw_leaf_lists(trace);
     draw_early_z(edit);
-    widgets::value("rules", "robust",
-                   "Rounding never loses a hit: intervals at planes are widened by proven bounds, and progress is "
-                   "counted, not by epsilon.");
+    draw_rules(trace);
     if (!state.picture) return;
     if (state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(*state.picture);
     draw_left_out(*state.picture);

@@ -14,7 +14,8 @@ namespace kd {
 namespace {
 
 constexpr int tile_size = 16;
-constexpr std::size_t rays_per_task = 1024;
+// Between looks at the stop request; rays of the naive traversal take as long as there are triangles.
+constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
 
 template <class Work>
 void parallel(std::size_t count, std::size_t grain, int threads, const Work& work) {
@@ -73,14 +74,19 @@ bool CpuTracer::trace_frame(const TraceConfig& config, const PinholeCamera& came
     return trace_tiles(config, camera, tiles_of(frame.width, frame.height, tile_size), frame, threads, stop, progress);
 }
 
-void CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
-                           std::span<RayCounters> counters, int threads) {
+bool CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                           std::span<RayCounters> counters, int threads, std::stop_token stop) {
     prepare(config);
-    parallel(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
+    const std::size_t grain = config.traversal == Traversal::naive ? naive_rays_per_task : rays_per_task;
+    std::atomic<std::size_t> done = 0;
+    parallel(rays.size(), grain, threads, [&](std::size_t first, std::size_t last) {
+        if (stop.stop_requested()) return;
         const std::size_t n = last - first;
         run_ray_job({*view_, config, rays.subspan(first, n), any_hit, hits.subspan(first, n),
                      counters.empty() ? counters : counters.subspan(first, n)});
+        done += n;
     });
+    return done == rays.size();
 }
 
 }  // namespace kd

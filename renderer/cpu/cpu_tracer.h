@@ -37,9 +37,10 @@ class CpuTracer {
     bool trace_frame(const TraceConfig& config, const PinholeCamera& camera, Frame& frame, int threads = 0,
                      std::stop_token stop = {}, const std::function<void(float)>& progress = {});
 
-    /// Traces the rays given. `counters` may be empty (nothing is counted then) or as long as `rays`.
-    void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
-                    std::span<RayCounters> counters, int threads = 0);
+    /// Traces the rays given. `counters` may be empty (nothing is counted then) or as long as `rays`. False where stopped
+    /// before the end.
+    bool trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                    std::span<RayCounters> counters, int threads = 0, std::stop_token stop = {});
 
   private:
     std::unique_ptr<SceneView> view_;

@@ -2,14 +2,14 @@
 //
 // No include guard and no namespace of its own: tile_kernel.cpp includes it once per instruction set.
 
-template <class Observer, Traversal chosen>
+template <class Observer, Rules rules>
 class Kernel {
   public:
-    Kernel(const SceneView& scene_view, Observer& first)
+    Kernel(const SceneView& scene_view, Traversal traversal, Observer& first)
         : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
           corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
-          observer(&first) {}
+          chosen(traversal), observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
 
@@ -19,6 +19,7 @@ class Kernel {
     const Triangle* corners;     // by triangle number
     const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
+    Traversal chosen;
     Observer* observer;
 
     // Observer.
@@ -89,16 +90,31 @@ class Kernel {
   public:
 #define KD_STACK_SIZE max_tree_depth
 #define KD_TRAVERSE traverse_chosen
+#define KD_RULES int(rules)
 #include "shaders/shared/kernel.glsl"
+#undef KD_RULES
 #undef KD_TRAVERSE
 #undef KD_STACK_SIZE
 
   private:
-    // One copy of the walk per kernel; every ray type calls it.
-    [[gnu::noinline]] void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit) {
-#define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
-    if constexpr (chosen == Traversal::name) traverse_##name(s, any_hit, hit);
+    void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit) {
+        switch (chosen) {
+#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
+    case Traversal::name:                                                                                              \
+        return walk_##name(s, any_hit, hit);
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
+        }
     }
+
+    // One copy of each walk per kernel; every ray type calls it.
+#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
+    [[gnu::noinline]] void walk_##name(const RaySetup& s, bool any_hit, Hit& hit) {                                    \
+        if constexpr (rules == Rules::robust)                                                                          \
+            traverse_##name(s, any_hit, hit);                                                                          \
+        else                                                                                                           \
+            published(s, any_hit, hit);                                                                                \
+    }
+#include "shaders/shared/traversals.glsl"
+#undef KD_TRAVERSAL
 };

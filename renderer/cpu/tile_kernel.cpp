@@ -22,56 +22,41 @@ namespace kd::HWY_NAMESPACE {
 #include "renderer/cpu/kernel.h"
 #include "renderer/cpu/pixel.h"
 
-template <class Observer, Traversal chosen>
-void tile_with(const TileJob& job) {
+template <class Observer, Rules rules>
+void run_with(const TileJob& job) {
     Observer observer;
-    Kernel<Observer, chosen> kernel(job.view, observer);
+    Kernel<Observer, rules> kernel(job.view, job.config.traversal, observer);
     for (int y = job.tile.y0; y < job.tile.y1; ++y)
         for (int x = job.tile.x0; x < job.tile.x1; ++x)
-            trace_pixel<Kernel<Observer, chosen>, Observer>(kernel, job, x, y);
+            trace_pixel<Kernel<Observer, rules>, Observer>(kernel, job, x, y);
 }
 
-template <class Observer, Traversal chosen>
-void rays_with(const RayJob& job) {
+template <class Observer, Rules rules>
+void run_with(const RayJob& job) {
+    Observer first;
+    Kernel<Observer, rules> kernel(job.view, job.config.traversal, first);
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
         Observer observer;
-        Kernel<Observer, chosen> kernel(job.view, observer);
-        Hit hit = kernel.no_hit(job.rays[i]);
-        kernel.traverse(job.rays[i], job.any_hit, hit);
-        job.hits[i] = hit;
+        kernel.observe(observer);
+        // In place: a copy would wait for the stores of its parts.
+        job.hits[i] = kernel.no_hit(job.rays[i]);
+        kernel.traverse(job.rays[i], job.any_hit, job.hits[i]);
         if constexpr (requires { observer.counters; }) job.counters[i] = observer.counters;
     }
 }
 
-template <class Observer>
-void tile_by_traversal(const TileJob& job) {
-    switch (job.config.traversal) {
-#define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
-    case Traversal::name:                                                                                              \
-        return tile_with<Observer, Traversal::name>(job);
-#include "shaders/shared/traversals.glsl"
-#undef KD_TRAVERSAL
+template <class Observer, class Job>
+void run(const Job& job) {
+    switch (job.config.rules) {
+        case Rules::robust: return run_with<Observer, Rules::robust>(job);
+        case Rules::as_published: return run_with<Observer, Rules::as_published>(job);
+        case Rules::first_edition: return run_with<Observer, Rules::first_edition>(job);
     }
 }
 
-template <class Observer>
-void rays_by_traversal(const RayJob& job) {
-    switch (job.config.traversal) {
-#define KD_TRAVERSAL(name, label, needs_boxes, needs_stack, summary)                                                   \
-    case Traversal::name:                                                                                              \
-        return rays_with<Observer, Traversal::name>(job);
-#include "shaders/shared/traversals.glsl"
-#undef KD_TRAVERSAL
-    }
-}
+void RunTileJob(const TileJob& job) { job.config.counters ? run<CountingObserver>(job) : run<NullObserver>(job); }
 
-void RunTileJob(const TileJob& job) {
-    job.config.counters ? tile_by_traversal<CountingObserver>(job) : tile_by_traversal<NullObserver>(job);
-}
-
-void RunRayJob(const RayJob& job) {
-    job.counters.empty() ? rays_by_traversal<NullObserver>(job) : rays_by_traversal<CountingObserver>(job);
-}
+void RunRayJob(const RayJob& job) { job.counters.empty() ? run<NullObserver>(job) : run<CountingObserver>(job); }
 
 }  // namespace kd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -32,7 +32,8 @@ using int3 = glm::ivec3;
 
 #include "shaders/shared/counters.glsl"
 
-#define KD_SHARED_SCALAR(T)                                                                                            \
+#define KD_SHARED_SCALAR(T, DEKKER)                                                                                    \
+    static constexpr T KD_DEKKER = DEKKER;                                                                             \
     using real = T;                                                                                                    \
     using real2 = glm::vec<2, T>;                                                                                      \
     using real3 = glm::vec<3, T>;                                                                                      \
@@ -45,13 +46,13 @@ using int3 = glm::ivec3;
     using glm::sqrt;
 
 inline namespace f32 {
-KD_SHARED_SCALAR(float)
+KD_SHARED_SCALAR(float, 4097.0f)
 #include "shaders/shared/constants.glsl"
 #include "shaders/shared/types.glsl"
 }  // namespace f32
 
 namespace f64 {
-KD_SHARED_SCALAR(double)
+KD_SHARED_SCALAR(double, 134217729.0)
 #include "shaders/shared/constants.glsl"
 #include "shaders/shared/types.glsl"
 }  // namespace f64

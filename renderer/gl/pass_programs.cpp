@@ -8,6 +8,11 @@ namespace {
 
 constexpr std::array<const char*, 6> entry_points{"rt_prim", "shade_prim", "rt_refl", "shade_refl", "mark", "rays"};
 
+std::string_view walk_function(const TraceConfig& trace) {
+    const TraversalInfo& walk = info(trace.traversal);
+    return trace.rules == Rules::robust ? walk.function : walk.published_function;
+}
+
 const char* flag(bool on) { return on ? "1" : "0"; }
 
 }  // namespace
@@ -34,7 +39,8 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_NORMALS", flag(s.needs.normals && (shades || reflects))},
         {"KD_TEXTURES", flag(s.needs.textures && shades)},
         {"KD_SHADOWS", flag(s.needs.shadows && shades)},
-        {"KD_TRAVERSE", std::string(traces ? info(s.trace.traversal).function : "traverse_naive")},
+        {"KD_TRAVERSE", std::string(traces ? walk_function(s.trace) : "traverse_naive")},
+        {"KD_RULES", traces ? std::to_string(int(s.trace.rules)) : "0"},
         {"KD_STACK_SIZE", info(s.trace.traversal).needs_stack && traces ? std::to_string(s.stack_size) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
         {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},

@@ -3,45 +3,29 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/validate.h"
 #include "renderer/measure/compare.h"
 #include "renderer/measure/pixel_rays.h"
+#include "renderer/measure/ray_machine.h"
 #include "renderer/measure/timing.h"
 
 namespace kd {
 
 namespace {
 
-// Between looks at the stop request: rays, and ray-triangle products of brute force.
-constexpr std::size_t rays_per_step = 16384;
-constexpr std::int64_t products_per_step = 500'000'000;
-
 struct Stopped {};
-
-/// A GL context with its tracer.
-struct Machine {
-    explicit Machine(ContextKind kind) : context(Context::create(kind)), tracer(std::make_unique<GlTracer>(*context)) {}
-    ~Machine() {
-        // The tracer's objects live in its own context.
-        if (context) context->make_current();
-    }
-    Machine(Machine&&) = default;
-
-    std::unique_ptr<Context> context;
-    std::unique_ptr<GlTracer> tracer;
-    bool refused = false;  // the tree at hand is not on it
-};
 
 /// What is traced, by name.
 struct Mode {
     Traversal traversal;
     LeafLists lists;
+    Rules rules = Rules::robust;
     [[nodiscard]] TraceConfig config() const {
         TraceConfig trace;
         trace.traversal = traversal;
         trace.leaf_lists = lists;
+        trace.rules = rules;
         return trace;
     }
 };
@@ -50,7 +34,8 @@ class Verification {
   public:
     Verification(const FlatScene& scene, const BuildConfig& build, const VerifyConfig& config,
                  const std::function<void(float, const std::string&)>& progress, std::stop_token stop)
-        : scene_(scene), build_(build), config_(config), progress_(progress), stop_(std::move(stop)) {
+        : scene_(scene), build_(build), config_(config), progress_(progress), stop_(std::move(stop)),
+          cpu_(cpu_machine(config.threads)) {
         report_.scene = scene.name;
         report_.triangles = std::int64_t(scene.triangles.size());
     }
@@ -85,23 +70,24 @@ class Verification {
             if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
             if (traversal.id == Traversal::naive)
                 naive_ = true;
-            else
-                modes_.push_back({traversal.id, LeafLists::references});
+            else if (config_.rules == Rules::robust || traversal.has_published_form())
+                modes_.push_back({traversal.id, LeafLists::references, config_.rules});
         }
         // One traversal shows what the other layout of the leaves does.
-        if (!modes_.empty()) modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated});
+        if (!modes_.empty())
+            modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated, config_.rules});
     }
 
     void open_contexts() {
         for (const ContextKind kind : config_.contexts) {
             try {
-                machines_.emplace_back(kind);
+                gl_.push_back(gl_machine(kind));
             } catch (const ContextError& error) {
                 report_.notes.push_back(fmt::format("gl-fragment on {} not checked: {}", name_of(kind), error.what()));
             }
         }
-        const std::size_t runs = modes_.size() * ((config_.cpu ? 1 : 0) + machines_.size());
-        steps_ = 4 + config_.builders.size() * (2 + runs) + (naive_ ? machines_.size() : 0);
+        const std::size_t runs = modes_.size() * ((config_.cpu ? 1 : 0) + gl_.size());
+        steps_ = 4 + config_.builders.size() * (2 + runs) + (naive_ ? gl_.size() : 0);
     }
 
     void make_pixel_rays() {
@@ -115,48 +101,32 @@ class Verification {
             report_.notes.push_back(fmt::format("{} pixel rays instead of {}: brute force over {} triangles is long",
                                                 pixels_.rays.size(), config_.width * config_.height,
                                                 report_.triangles));
-        pixels_.expected = brute_force(pixels_.rays);
+        pixels_.expected = expected_of(pixels_.rays);
         done_ += 4;
     }
 
-    std::vector<Hit> brute_force(const std::vector<Ray>& rays) const {
-        static const KdTree no_tree;
-        CpuTracer tracer(scene_, no_tree);
-        return cpu_answers(tracer, Mode{Traversal::naive, LeafLists::references}, rays, false).nearest;
+    std::vector<Hit> expected_of(const std::vector<Ray>& rays) const {
+        std::vector<Hit> hits = brute_force(scene_, rays, config_.threads, stop_);
+        check_stop();
+        return hits;
     }
 
-    RayAnswers cpu_answers(CpuTracer& tracer, Mode mode, const std::vector<Ray>& rays, bool all) const {
-        return answers(rays, mode, all, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
-            tracer.trace_rays(mode.config(), part, any, hits, counters, config_.threads);
-        });
-    }
-
-    RayAnswers gl_answers(GlTracer& tracer, Mode mode, const std::vector<Ray>& rays) const {
-        return answers(rays, mode, true, [&](std::span<const Ray> part, bool any, auto hits, auto counters) {
-            tracer.trace_rays(mode.config(), part, any, hits, counters);
-        });
-    }
-
-    std::size_t step_for(Mode mode) const {
-        if (mode.traversal != Traversal::naive) return rays_per_step;
-        // The CPU tracer gives its threads 1024 rays at a time.
-        const auto fewest = 1024 * std::size_t(config_.threads > 0 ? config_.threads : default_threads());
-        return std::max(fewest, std::size_t(products_per_step / std::max<std::int64_t>(report_.triangles, 1)));
-    }
-
-    /// Nearest hits, and with `all` also counters and any-hit answers.
-    template <class Trace>
-    RayAnswers answers(const std::vector<Ray>& rays, Mode mode, bool all, const Trace& trace) const {
+    /// Nearest hits, their counters, and any-hit answers.
+    RayAnswers ask(RayMachine& machine, Mode mode, const std::vector<Ray>& rays) const {
         RayAnswers found(rays.size());
-        const std::size_t step = step_for(mode);
-        for (std::size_t first = 0; first < rays.size(); first += step) {
-            check_stop();
-            const std::size_t n = std::min(step, rays.size() - first);
-            const std::span part = std::span(rays).subspan(first, n);
-            const auto counters = all ? std::span(found.counters).subspan(first, n) : std::span<RayCounters>();
-            trace(part, false, std::span(found.nearest).subspan(first, n), counters);
-            if (all) trace(part, true, std::span(found.any).subspan(first, n), std::span<RayCounters>());
-        }
+        (void)machine.trace(mode.config(), rays, false, found.nearest, found.counters, stop_);
+        (void)machine.trace(mode.config(), rays, true, found.any, {}, stop_);
+        check_stop();
+        return found;
+    }
+
+    /// What a machine answers to pixel and to adversarial rays.
+    using Answers = std::array<RayAnswers, 2>;
+
+    Answers ask(RayMachine& machine, Mode mode, const ReferenceRays& pixels, const ReferenceRays& hard,
+                double& seconds) const {
+        Answers found{RayAnswers(0), RayAnswers(0)};
+        seconds = 1e-3 * wall_ms([&] { found = {ask(machine, mode, pixels.rays), ask(machine, mode, hard.rays)}; });
         return found;
     }
 
@@ -175,58 +145,48 @@ class Verification {
         tell(builder + ": brute force over adversarial rays");
         ReferenceRays hard;
         hard.rays = adversarial_rays(scene_, tree, config_.adversarial_rays, config_.seed);
-        hard.expected = brute_force(hard.rays);
+        hard.expected = expected_of(hard.rays);
         ++done_;
 
-        for (Machine& machine : machines_) upload(machine, tree, builder);
+        cpu_->load(scene_, tree);
+        std::vector<RayMachine*> loaded;
+        for (const auto& machine : gl_)
+            if (load(*machine, tree, builder)) loaded.push_back(machine.get());
         if (first && naive_)
-            for (Machine& machine : machines_) check_naive(machine, hard);
-        CpuTracer cpu(scene_, tree);
-        for (const Mode& mode : modes_) check_mode(cpu, mode, builder, hard);
+            for (RayMachine* machine : loaded) check_naive(*machine, hard);
+        for (const Mode& mode : modes_) check_mode(mode, builder, hard, loaded);
     }
 
-    void upload(Machine& machine, const KdTree& tree, const std::string& builder) {
-        machine.context->make_current();
-        machine.refused = false;
+    bool load(RayMachine& machine, const KdTree& tree, const std::string& builder) {
         try {
-            machine.tracer->upload(scene_, tree);
+            machine.load(scene_, tree);
+            return true;
         } catch (const InputError& error) {
-            machine.refused = true;
-            report_.notes.push_back(fmt::format("{}: gl-fragment on {} not checked: {}", builder,
-                                                name_of(machine.context->kind()), error.what()));
+            report_.notes.push_back(fmt::format("{}: {} on {} not checked: {}", builder, machine.tracer(),
+                                                machine.context(), error.what()));
+            return false;
         }
     }
 
-    void check_mode(CpuTracer& cpu, const Mode& mode, const std::string& builder, const ReferenceRays& hard) {
-        VerifyRow row = row_for(mode, builder);
-        row.tracer = "cpu";
+    void check_mode(const Mode& mode, const std::string& builder, const ReferenceRays& hard,
+                    const std::vector<RayMachine*>& loaded) {
+        VerifyRow row = row_for(mode, builder, *cpu_);
         tell(row.builder + ", " + row.traversal + " on the CPU");
-        std::array<RayAnswers, 2> by_cpu{RayAnswers(0), RayAnswers(0)};
-        row.seconds = 1e-3 * wall_ms([&] {
-                          by_cpu[0] = cpu_answers(cpu, mode, pixels_.rays, true);
-                          by_cpu[1] = cpu_answers(cpu, mode, hard.rays, true);
-                      });
+        const Answers by_cpu = ask(*cpu_, mode, pixels_, hard, row.seconds);
         compare(row, pixels_, hard, by_cpu);
         if (config_.cpu) {
             report_.rows.push_back(std::move(row));
             ++done_;
         }
-        for (Machine& machine : machines_)
-            if (!machine.refused) check_gl(machine, mode, row_for(mode, builder), pixels_, hard, &by_cpu);
+        for (RayMachine* machine : loaded)
+            check_gl(*machine, mode, row_for(mode, builder, *machine), pixels_, hard, &by_cpu);
     }
 
-    void check_gl(Machine& machine, const Mode& mode, VerifyRow row, const ReferenceRays& pixels,
-                  const ReferenceRays& hard, const std::array<RayAnswers, 2>* by_cpu) {
-        row.tracer = "gl-fragment";
-        row.context = name_of(machine.context->kind());
+    void check_gl(RayMachine& machine, const Mode& mode, VerifyRow row, const ReferenceRays& pixels,
+                  const ReferenceRays& hard, const Answers* by_cpu) {
         tell(row.builder + ", " + row.traversal + " on " + row.context);
-        machine.context->make_current();
         try {
-            std::array<RayAnswers, 2> by_gl{RayAnswers(0), RayAnswers(0)};
-            row.seconds = 1e-3 * wall_ms([&] {
-                              by_gl[0] = gl_answers(*machine.tracer, mode, pixels.rays);
-                              by_gl[1] = gl_answers(*machine.tracer, mode, hard.rays);
-                          });
+            const Answers by_gl = ask(machine, mode, pixels, hard, row.seconds);
             compare(row, pixels, hard, by_gl);
             if (by_cpu) {
                 compare_counters(pixels, (*by_cpu)[0], by_gl[0], row);
@@ -241,28 +201,27 @@ class Verification {
     }
 
     /// The naive traversal reads no tree, so once is enough, and as many rays as its cost allows.
-    void check_naive(Machine& machine, const ReferenceRays& hard) {
-        if (machine.refused) return;
+    void check_naive(RayMachine& machine, const ReferenceRays& hard) {
         const std::int64_t rays = std::int64_t(pixels_.rays.size() + hard.rays.size());
         const auto step = std::size_t(1 + rays * report_.triangles / std::max<std::int64_t>(config_.gl_naive_tests, 1));
         if (step > 1)
-            report_.notes.push_back(fmt::format("naive on {}: one ray in {} only, as each takes all triangles",
-                                                name_of(machine.context->kind()), step));
+            report_.notes.push_back(
+                fmt::format("naive on {}: one ray in {} only, as each takes all triangles", machine.context(), step));
         const Mode mode{Traversal::naive, LeafLists::references};
-        check_gl(machine, mode, row_for(mode, "-"), pixels_.every(step), hard.every(step), nullptr);
+        check_gl(machine, mode, row_for(mode, "-", machine), pixels_.every(step), hard.every(step), nullptr);
     }
 
-    static VerifyRow row_for(const Mode& mode, const std::string& builder) {
+    static VerifyRow row_for(const Mode& mode, const std::string& builder, const RayMachine& machine) {
         VerifyRow row;
         row.builder = builder;
         row.traversal = info(mode.traversal).name;
         row.leaf_lists = mode.lists == LeafLists::duplicated ? "duplicated" : "references";
-        row.context = "-";
+        row.tracer = machine.tracer();
+        row.context = machine.context();
         return row;
     }
 
-    static void compare(VerifyRow& row, const ReferenceRays& pixels, const ReferenceRays& hard,
-                        const std::array<RayAnswers, 2>& found) {
+    static void compare(VerifyRow& row, const ReferenceRays& pixels, const ReferenceRays& hard, const Answers& found) {
         row.pixel_rays = std::int64_t(pixels.rays.size());
         row.adversarial_rays = std::int64_t(hard.rays.size());
         compare_hits(pixels, found[0], row);
@@ -277,7 +236,8 @@ class Verification {
     VerifyReport report_;
     std::vector<Mode> modes_;
     bool naive_ = false;
-    std::vector<Machine> machines_;
+    std::unique_ptr<RayMachine> cpu_;
+    std::vector<std::unique_ptr<RayMachine>> gl_;
     ReferenceRays pixels_;
     std::size_t done_ = 0, steps_ = 1;
 };

@@ -1,6 +1,7 @@
 // How a frame is traced, whatever traces it.
 #pragma once
 
+#include "renderer/trace/rules.h"
 #include "renderer/trace/traversal.h"
 
 namespace kd {
@@ -10,6 +11,7 @@ enum class LeafLists { references, duplicated };
 
 struct TraceConfig {
     Traversal traversal = Traversal::stack;
+    Rules rules = Rules::robust;
     LeafLists leaf_lists = LeafLists::references;
     bool shadows = true;
     int reflection_depth = 1;           // bounces; the paper's one-bounce reflection

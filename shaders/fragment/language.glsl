@@ -17,3 +17,4 @@
 // By its bits: GLSL compilers may assume that no comparison sees a NaN.
 #define IS_NAN(x) ((floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u)
 #define KD_RARE(condition) (condition)
+#define KD_DEKKER 4097.0

@@ -29,6 +29,11 @@
 #define KD_STACK_SIZE 64
 #endif
 
+// How a walk decides: KD_RULES_ROBUST or another KD_RULES_... of shared/constants.glsl.
+#ifndef KD_RULES
+#define KD_RULES 0
+#endif
+
 // 0: the ray comes from the camera or is the first reflection; 1: it continues a path that a bounce has left.
 #ifndef KD_LATER_BOUNCE
 #define KD_LATER_BOUNCE 0

@@ -9,6 +9,11 @@ KD_CONST(int) KD_EXIT_STEP_CAP = 2;
 KD_CONST(int) KD_EXIT_STACK_OVERFLOW = 3;
 KD_CONST(int) KD_EXIT_INVALID_RAY = 4;
 
+// How a walk decides between children and goes on.
+KD_CONST(int) KD_RULES_ROBUST = 0;
+KD_CONST(int) KD_RULES_AS_PUBLISHED = 1;  // the paper, section 2.3.2
+KD_CONST(int) KD_RULES_FIRST_EDITION = 2; // Pharr & Humphreys, Physically Based Rendering, 2004, section 4.4
+
 // Answers of the split rule.
 KD_CONST(int) KD_VISIT_NEAR = 0;
 KD_CONST(int) KD_VISIT_FAR = 1;

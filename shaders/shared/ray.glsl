@@ -73,32 +73,33 @@ KD_FN RaySetup setup_ray(IN(Ray) asked)
     real3 lower;
     real3 upper;
     fetch_bounds(lower, upper);
-    Ray ray = asked;
-    ray.t_max = limited_end(asked.t_max);
-    real reach = farthest_corner(ray.origin, lower, upper);
-    s.t_shift = shift_towards(ray, lower, upper, reach);
+    s.ray = asked;
+    s.ray.t_max = limited_end(asked.t_max);
+    real reach = farthest_corner(asked.origin, lower, upper);
+    s.t_shift = KD_RULES == KD_RULES_ROBUST ? shift_towards(s.ray, lower, upper, reach) : real(0);
     if (KD_RARE(s.t_shift > real(0))) {
-        ray.origin = add_scaled3(ray.origin, ray.direction, s.t_shift);
-        ray.t_min = real(0);
-        ray.t_max = ray.t_max - s.t_shift;
-        reach = farthest_corner(ray.origin, lower, upper);
+        s.ray.origin = add_scaled3(asked.origin, asked.direction, s.t_shift);
+        s.ray.t_min = real(0);
+        s.ray.t_max = s.ray.t_max - s.t_shift;
+        reach = farthest_corner(s.ray.origin, lower, upper);
     }
-    s.ray = ray;
-    real smallest = KD_PARALLEL * max_component(abs(ray.direction));
-    s.inverse = real3(inverse_or_zero(ray.direction.x, smallest), inverse_or_zero(ray.direction.y, smallest),
-                      inverse_or_zero(ray.direction.z, smallest));
+    real3 origin = s.ray.origin;
+    real3 direction = asked.direction;
+    real smallest = KD_PARALLEL * max_component(abs(direction));
+    s.inverse = real3(inverse_or_zero(direction.x, smallest), inverse_or_zero(direction.y, smallest),
+                      inverse_or_zero(direction.z, smallest));
     PRECISE real slack = KD_SLACK * reach;
     s.slack = slack;
     s.t_slack = scale3(abs(s.inverse), slack);
-    int z = largest_axis(abs(ray.direction));
+    int z = largest_axis(abs(direction));
     int x = z == 2 ? 0 : z + 1;
     int y = x == 2 ? 0 : x + 1;
     s.axes = int3(x, y, z);
     PRECISE real shear_z = AXIS(s.inverse, z);
-    PRECISE real shear_x = AXIS(ray.direction, x) * shear_z;
-    PRECISE real shear_y = AXIS(ray.direction, y) * shear_z;
+    PRECISE real shear_x = AXIS(direction, x) * shear_z;
+    PRECISE real shear_y = AXIS(direction, y) * shear_z;
     s.shear = real3(shear_x, shear_y, shear_z);
-    s.permuted_origin = real3(AXIS(ray.origin, x), AXIS(ray.origin, y), AXIS(ray.origin, z));
+    s.permuted_origin = real3(AXIS(origin, x), AXIS(origin, y), AXIS(origin, z));
     return s;
 }
 

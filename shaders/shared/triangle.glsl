@@ -1,14 +1,14 @@
 // Watertight ray-triangle test: Woop, Benthin, Wald, JCGT 2(1), 2013. Two triangles that share an edge evaluate the
 // same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
 
-/// a*b minus its rounded value, exactly unless it underflows (Dekker, Numerische Mathematik 18, 1971; 4097 = 2^12 + 1
-/// halves a float's 24 bits).
+/// a*b minus its rounded value, exactly unless it underflows (Dekker, Numerische Mathematik 18, 1971). KD_DEKKER halves
+/// the digits: 2^12 + 1 for a float's 24 bits, 2^27 + 1 for a double's 53.
 KD_FN real product_error(real a, real b)
 {
-    PRECISE real a_scaled = a * real(4097);
+    PRECISE real a_scaled = a * KD_DEKKER;
     PRECISE real a_high = a_scaled - (a_scaled - a);
     PRECISE real a_low = a - a_high;
-    PRECISE real b_scaled = b * real(4097);
+    PRECISE real b_scaled = b * KD_DEKKER;
     PRECISE real b_high = b_scaled - (b_scaled - b);
     PRECISE real b_low = b - b_high;
     PRECISE real product = a * b;

@@ -31,40 +31,47 @@ struct SetObserver : NullObserver {
     }
 };
 
-template <Traversal traversal>
-void check(const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& rays) {
+template <Rules rules>
+void check(Traversal traversal, const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& rays) {
+    SCOPED_TRACE(info(traversal).name);
     SceneView view;
     view.scene = &scene;
     view.tree = &tree;
     view.boxes = node_boxes(tree);
-    int again = 0;
+    int again = 0, interior = 0;
     for (const Ray& ray : rays) {
         SetObserver seen;
-        test_kernel::Kernel<SetObserver, traversal> kernel(view, seen);
+        test_kernel::Kernel<SetObserver, rules> kernel(view, traversal, seen);
         Hit hit = kernel.no_hit(ray);
         kernel.traverse(ray, false, hit);
         ASSERT_TRUE(seen.consistent) << test::hex(ray);
         again += seen.again_count;
+        interior += int(seen.interior.size());
     }
-    EXPECT_EQ(again > 0, traversal != Traversal::stack);
+    EXPECT_EQ(again == 0, info(traversal).needs_stack || interior == 0);
 }
 
 TEST(Revisit, FlagMeansThatThisRayHasBeenThere) {
     const FlatScene scene = test::scene_of(test::random_soup(400, 0.05f, 21));
     const KdTree tree = build_tree(scene.triangles, {});
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 3000, 6);
-    check<Traversal::stack>(scene, tree, rays);
-    check<Traversal::restart>(scene, tree, rays);
-    check<Traversal::backtrack>(scene, tree, rays);
+    for (const TraversalInfo& t : traversals()) check<Rules::robust>(t.id, scene, tree, rays);
 }
 
 TEST(Revisit, HoldsOnLatticeScenes) {
     const FlatScene scene = test::scene_of(test::voxel_city(4));
     const KdTree tree = build_tree(scene.triangles, {});
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 3000, 6);
-    check<Traversal::stack>(scene, tree, rays);
-    check<Traversal::restart>(scene, tree, rays);
-    check<Traversal::backtrack>(scene, tree, rays);
+    for (const TraversalInfo& t : traversals()) check<Rules::robust>(t.id, scene, tree, rays);
+}
+
+TEST(Revisit, HoldsForWalksAsPublishedWhereTheyAreSound) {
+    const FlatScene scene = test::scene_of(test::random_soup(400, 0.05f, 21));
+    const KdTree tree = build_tree(scene.triangles, {});
+    test::Random random(8);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 3000; ++i) rays.push_back({random.point(-1, 2), random.point(-1, 1), 0.0f, KD_T_LIMIT, -1});
+    for (const TraversalInfo& t : traversals()) check<Rules::as_published>(t.id, scene, tree, rays);
 }
 
 }  // namespace

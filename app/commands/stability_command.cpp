@@ -1,0 +1,144 @@
+// stability: the suite of cases that break ray tracers, on every traversal and every machine.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+#include <set>
+
+#include "app/commands/commands.h"
+#include "app/json_values.h"
+#include "app/progress_line.h"
+#include "app/text_table.h"
+#include "app/typed_options.h"
+#include "renderer/measure/stability/stability.h"
+
+namespace kd {
+
+namespace {
+
+struct StabilityOptions : CommonOptions {
+    StabilityConfig config;
+    bool json = false, list = false;
+};
+
+const char* name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::pass: return "pass";
+        case Verdict::fail: return "fail";
+        case Verdict::exempt: break;
+    }
+    return "exempt";
+}
+
+StabilityConfig config_for(const StabilityOptions& options) {
+    StabilityConfig config = options.config;
+    config.rules = options.session.trace.rules;
+    config.threads = options.session.threads;
+    config.seed = options.session.seed;
+    config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
+    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
+        config.contexts = {ContextKind::osmesa, ContextKind::egl};
+        if (options.context) config.contexts = {*options.context};
+    }
+    return config;
+}
+
+Json json_of(const StabilityReport& report) {
+    Json cases = Json::array();
+    for (const StabilityRow& row : report.rows)
+        cases.push_back({{"case", row.id},
+                         {"tracer", row.tracer},
+                         {"context", row.context},
+                         {"traversal", row.traversal},
+                         {"n", row.n},
+                         {"mismatches", row.mismatches},
+                         {"upper95", row.upper95},
+                         {"worst_ulp", row.worst_ulp},
+                         {"seconds", row.seconds},
+                         {"verdict", name_of(row.verdict)},
+                         {"reason", row.reason}});
+    return {{"passed", report.passed()}, {"cases_run", report.cases_run}, {"cases", cases}, {"notes", report.notes}};
+}
+
+void print(std::ostream& out, const StabilityReport& report) {
+    using enum TextTable::Align;
+    TextTable table({{"case", left},
+                     {"tracer", left},
+                     {"context", left},
+                     {"traversal", left},
+                     {"n"},
+                     {"mismatches"},
+                     {"at most (95 %)"},
+                     {"worst ulp"},
+                     {"seconds"},
+                     {"verdict", left}});
+    for (const StabilityRow& row : report.rows)
+        table.add_row({row.id, row.tracer, row.context, row.traversal, fmt::format("{}", row.n),
+                       fmt::format("{}", row.mismatches), fmt::format("{:.1e}", row.upper95),
+                       row.worst_ulp > 0 ? fmt::format("{:.2f}", row.worst_ulp) : "-",
+                       fmt::format("{:.2f}", row.seconds), name_of(row.verdict)});
+    table.print(out);
+    for (const std::string& note : report.notes) out << "note: " << note << '\n';
+    std::set<std::string> told;  // rows that fail for one reason are told once
+    for (const StabilityRow& row : report.rows)
+        if (row.verdict != Verdict::pass && told.insert(row.id + row.reason).second)
+            out << fmt::format("{} {} {} {} {}: {}\n", row.id, name_of(row.verdict), row.traversal, row.tracer,
+                               row.context, row.reason);
+    const auto failures = std::ranges::count(report.rows, Verdict::fail, &StabilityRow::verdict);
+    out << fmt::format("{} cases, {} rows, {} failed: {}\n", report.cases_run, report.rows.size(), failures,
+                       report.passed() ? "passed" : "failed");
+}
+
+void print_list(std::ostream& out) {
+    for (const StabilityCase& info : stability_cases())
+        out << fmt::format("{}  {}\n     {}\n     against {}; accepted: {}\n", info.id, info.title, info.construction,
+                           info.oracle, info.acceptance);
+}
+
+int run(const StabilityOptions& options, CommandContext& context) {
+    if (options.list) {
+        print_list(context.out);
+        return exit_ok;
+    }
+    StabilityReport report;
+    {
+        ProgressLine progress(context);
+        const auto show = [&](float done, const std::string& what) { progress.show(done, what); };
+        report = run_stability(config_for(options), show, context.stop);
+    }
+    check_stop(context);
+    if (options.json)
+        context.out << json_text(json_of(report));
+    else
+        print(context.out, report);
+    return report.passed() ? exit_ok : exit_check_failed;
+}
+
+CommandBody declare(CLI::App& app) {
+    const auto options = std::make_shared<StabilityOptions>();
+    app.add_option("--case", options->config.cases, "Only these cases")->delimiter(',')->type_name("ID,...");
+    app.add_flag("--list", options->list, "Says what each case is and exits");
+    app.add_flag("--long", options->config.long_run, "All rays of each case instead of a tenth");
+    app.add_flag("--json", options->json, "JSON instead of a table");
+    add_machine_options(app, *options);
+    add_tracing_options(app, *options);
+    return [options](CommandContext& context) { return run(*options, context); };
+}
+
+}  // namespace
+
+Command stability_command() {
+    return {
+        "stability", "Runs the cases that break ray tracers, on every traversal and tracer",
+        "Each case has its construction, its oracle and what is accepted (--list). A mismatch is a hit, distance or\n"
+        "barycentric that differs from brute force in any bit, or what the case itself forbids. Exit code 1 where\n"
+        "any case fails.\n\n"
+        "Examples:\n"
+        "  kdscope stability\n"
+        "  kdscope stability --case T15,T16 --long\n"
+        "  kdscope stability --rules as-published     what the published rules lose; exits 1\n",
+        declare};
+}
+
+}  // namespace kd

@@ -1,0 +1,80 @@
+#include "renderer/measure/ray_machine.h"
+
+#include <algorithm>
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/gl_tracer.h"
+
+namespace kd {
+
+namespace {
+
+// Between looks at the stop request.
+constexpr std::size_t rays_per_draw = 65536;
+
+class CpuMachine : public RayMachine {
+  public:
+    explicit CpuMachine(int threads) : threads_(threads) {}
+
+    [[nodiscard]] std::string tracer() const override { return "cpu"; }
+    [[nodiscard]] std::string context() const override { return "-"; }
+    void load(const FlatScene& scene, const KdTree& tree) override {
+        tracer_ = std::make_unique<CpuTracer>(scene, tree);
+    }
+    bool trace(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+               std::span<RayCounters> counters, std::stop_token stop) override {
+        return tracer_->trace_rays(config, rays, any_hit, hits, counters, threads_, std::move(stop));
+    }
+
+  private:
+    int threads_;
+    std::unique_ptr<CpuTracer> tracer_;
+};
+
+class GlMachine : public RayMachine {
+  public:
+    explicit GlMachine(ContextKind kind)
+        : context_(Context::create(kind)), tracer_(std::make_unique<GlTracer>(*context_)) {}
+    // The tracer's objects live in its own context.
+    ~GlMachine() override { context_->make_current(); }
+
+    [[nodiscard]] std::string tracer() const override { return "gl-fragment"; }
+    [[nodiscard]] std::string context() const override { return std::string(name_of(context_->kind())); }
+    void load(const FlatScene& scene, const KdTree& tree) override {
+        context_->make_current();
+        tracer_->upload(scene, tree);
+    }
+    bool trace(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+               std::span<RayCounters> counters, std::stop_token stop) override {
+        context_->make_current();
+        for (std::size_t first = 0; first < rays.size(); first += rays_per_draw) {
+            if (stop.stop_requested()) return false;
+            const std::size_t n = std::min(rays_per_draw, rays.size() - first);
+            tracer_->trace_rays(config, rays.subspan(first, n), any_hit, hits.subspan(first, n),
+                                counters.empty() ? counters : counters.subspan(first, n));
+        }
+        return true;
+    }
+
+  private:
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<GlTracer> tracer_;
+};
+
+}  // namespace
+
+std::unique_ptr<RayMachine> cpu_machine(int threads) { return std::make_unique<CpuMachine>(threads); }
+
+std::unique_ptr<RayMachine> gl_machine(ContextKind kind) { return std::make_unique<GlMachine>(kind); }
+
+std::vector<Hit> brute_force(const FlatScene& scene, std::span<const Ray> rays, int threads, std::stop_token stop) {
+    const KdTree no_tree;
+    CpuTracer tracer(scene, no_tree);
+    TraceConfig config;
+    config.traversal = Traversal::naive;
+    std::vector<Hit> hits(rays.size());
+    tracer.trace_rays(config, rays, false, hits, {}, threads, std::move(stop));
+    return hits;
+}
+
+}  // namespace kd

@@ -1,0 +1,40 @@
+// What traces lists of rays: the CPU, or the fragment passes on one OpenGL context.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/context.h"
+#include "renderer/kdtree/tree.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/trace_config.h"
+
+namespace kd {
+
+class RayMachine {
+  public:
+    virtual ~RayMachine() = default;
+
+    [[nodiscard]] virtual std::string tracer() const = 0;   // "cpu", "gl-fragment"
+    [[nodiscard]] virtual std::string context() const = 0;  // "osmesa", "egl"; "-" on the CPU
+    /// Takes scene and tree, which must outlive their use. InputError where they do not fit on it.
+    virtual void load(const FlatScene& scene, const KdTree& tree) = 0;
+    /// `counters` may be empty: nothing is counted then. False where stopped. InputError for what it cannot trace.
+    virtual bool trace(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
+                       std::span<RayCounters> counters, std::stop_token stop) = 0;
+};
+
+/// `threads` 0 = all.
+[[nodiscard]] std::unique_ptr<RayMachine> cpu_machine(int threads);
+
+/// ContextError where there is no such context.
+[[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind);
+
+/// The answers of the naive traversal on the CPU: the reference of every other. Incomplete where stopped.
+[[nodiscard]] std::vector<Hit> brute_force(const FlatScene& scene, std::span<const Ray> rays, int threads = 0,
+                                           std::stop_token stop = {});
+
+}  // namespace kd

@@ -1,0 +1,48 @@
+// Rays that the cases of the stability suite are made of.
+#pragma once
+
+#include <vector>
+
+#include "renderer/geometry/triangle.h"
+#include "renderer/scene/random.h"
+
+namespace kd {
+
+[[nodiscard]] inline Ray ray_along(Vec3 origin, Vec3 direction) { return {origin, direction, 0.0f, KD_T_LIMIT, -1}; }
+[[nodiscard]] inline Ray ray_to(Vec3 origin, Vec3 target) { return ray_along(origin, target - origin); }
+
+/// A point with each coordinate in [low, high).
+[[nodiscard]] Vec3 random_point(Random& random, float low, float high);
+/// Never short: at least 0.1 long, components in [-1, 1).
+[[nodiscard]] Vec3 random_direction(Random& random);
+/// 0 <= i < n.
+[[nodiscard]] int random_below(Random& random, int n);
+[[nodiscard]] float random_sign(Random& random);
+[[nodiscard]] const Triangle& random_triangle(Random& random, const std::vector<Triangle>& triangles);
+
+/// `count` rays from what `origin` makes to points on edges of random triangles.
+template <class Origin>
+[[nodiscard]] std::vector<Ray> rays_to_edges(Random& random, const std::vector<Triangle>& triangles, std::size_t count,
+                                             const Origin& origin) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Triangle& t = random_triangle(random, triangles);
+        const auto k = std::size_t(random_below(random, 3));
+        rays.push_back(ray_to(origin(), glm::mix(t.corner[k], t.corner[(k + 1) % 3], float(random.unit()))));
+    }
+    return rays;
+}
+
+/// The same to vertices exactly.
+template <class Origin>
+[[nodiscard]] std::vector<Ray> rays_to_vertices(Random& random, const std::vector<Triangle>& triangles,
+                                                std::size_t count, const Origin& origin) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Triangle& t = random_triangle(random, triangles);
+        rays.push_back(ray_to(origin(), t.corner[std::size_t(random_below(random, 3))]));
+    }
+    return rays;
+}
+
+}  // namespace kd

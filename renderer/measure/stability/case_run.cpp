@@ -1,0 +1,158 @@
+#include "renderer/measure/stability/case_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/kdtree/validate.h"
+#include "renderer/measure/timing.h"
+#include "renderer/scene/stress_shapes.h"
+
+namespace kd {
+
+namespace {
+
+/// The same rays for a case whatever else runs.
+std::uint64_t seed_of(std::string_view id, unsigned seed) {
+    std::uint64_t mixed = seed;
+    for (const char c : id) mixed = mixed * 131 + std::uint64_t(c);
+    return mixed;
+}
+
+const char* name_of(HitFault fault) {
+    switch (fault) {
+        case HitFault::missed: return "missed";
+        case HitFault::false_hit: return "false hit";
+        case HitFault::wrong_triangle: return "wrong triangle";
+        case HitFault::wrong_t: return "wrong t";
+        case HitFault::none: break;
+    }
+    return "right";
+}
+
+std::string exact_text(const f64::Hit& hit) {
+    if (hit.triangle < 0) return "no hit";
+    return fmt::format("triangle {} t {:a} u {:a} v {:a}", hit.triangle, hit.t, hit.u, hit.v);
+}
+
+}  // namespace
+
+CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
+                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop)
+    : info_(info), config_(config), machines_(machines), stop_(std::move(stop)),
+      random_(seed_of(info.id, config.seed)) {}
+
+std::size_t CaseRun::rays(std::size_t full) const {
+    return config_.long_run ? full : std::max(full / 10, std::min<std::size_t>(full, 1000));
+}
+
+void CaseRun::check_stop() const {
+    if (stop_.stop_requested()) throw Stopped{};
+}
+
+StabilityRow& CaseRun::row(std::string_view tracer, std::string_view context, std::string_view traversal) {
+    const auto found = std::ranges::find_if(rows_, [&](const auto& r) {
+        return r->tracer == tracer && r->context == context && r->traversal == traversal;
+    });
+    if (found != rows_.end()) return **found;
+    rows_.push_back(std::make_unique<StabilityRow>());
+    StabilityRow& made = *rows_.back();
+    made.id = info_.id;
+    made.tracer = tracer;
+    made.context = context;
+    made.traversal = traversal;
+    return made;
+}
+
+Subject CaseRun::subject(std::vector<Triangle> triangles, const BuildConfig& build) {
+    check_stop();
+    Subject made;
+    made.scene = bare_scene(std::move(triangles));
+    made.tree = build_tree(made.scene.triangles, build, &made.built, {}, stop_);
+    check_stop();
+    for (const Violation& violation : validate(made.tree, made.scene.triangles, 1))
+        record("tree", 1, 1, fmt::format("bad tree: node {}: {}", violation.node, violation.message));
+    return made;
+}
+
+void CaseRun::each(const Subject& subject,
+                   const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use) {
+    for (const auto& machine : machines_) {
+        machine->load(subject.scene, subject.tree);
+        for (const TraversalInfo& traversal : traversals()) {
+            if (traversal.id == Traversal::naive) continue;
+            if (config_.rules != Rules::robust && !traversal.has_published_form()) continue;
+            check_stop();
+            TraceConfig trace;
+            trace.traversal = traversal.id;
+            trace.rules = config_.rules;
+            StabilityRow& r = row(machine->tracer(), machine->context(), traversal.name);
+            r.seconds += 1e-3 * wall_ms([&] { use(*machine, trace, r); });
+        }
+    }
+}
+
+void CaseRun::check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation) {
+    ReferenceRays reference;
+    reference.rays = rays;
+    reference.expected =
+        expectation.known ? *expectation.known : brute_force(subject.scene, rays, config_.threads, stop_);
+    check_stop();
+    std::vector<f64::Hit> exact;
+    if (expectation.against_double) exact = double_brute_force(subject.scene, rays, config_.threads, stop_);
+    check_stop();
+
+    each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& r) {
+        RayAnswers found(rays.size());
+        (void)machine.trace(trace, rays, false, found.nearest, {}, stop_);
+        (void)machine.trace(trace, rays, true, found.any, {}, stop_);
+        check_stop();
+        VerifyRow compared;
+        compare_hits(reference, found, compared);
+        r.n += std::int64_t(rays.size());
+        r.mismatches += compared.mismatches;
+        if (compared.mismatches > 0 && r.reason.empty()) r.reason = expectation.what + compared.first_failure;
+        if (expectation.every_ray_hits)
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                if (found.nearest[i].triangle < 0 && reference.expected[i].triangle < 0)
+                    fail(r, fmt::format("{}missed by brute force too: ray {}", expectation.what, exact_text(rays[i])));
+        if (!exact.empty()) judge_exact(rays, found.nearest, exact, expectation, r);
+    });
+}
+
+void CaseRun::judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& found,
+                          const std::vector<f64::Hit>& exact, const Expectation& expectation, StabilityRow& r) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const HitError error = expectation.against_double->judge(found[i], exact[i]);
+        if (std::isfinite(error.ulps)) r.worst_ulp = std::max(r.worst_ulp, error.ulps);
+        if (error.fault == HitFault::none) continue;
+        fail(r,
+             fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what, name_of(error.fault),
+                         error.ulps, kd::exact_text(rays[i]), exact_text(exact[i]), kd::exact_text(found[i])));
+    }
+}
+
+void CaseRun::record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason) {
+    StabilityRow& r = row("-", "-", what);
+    r.n += n;
+    r.mismatches += mismatches;
+    if (r.reason.empty()) r.reason = reason;
+}
+
+void CaseRun::fail(StabilityRow& r, const std::string& reason) {
+    if (r.mismatches++ == 0) r.reason = reason;
+}
+
+std::vector<StabilityRow> CaseRun::finish() {
+    std::vector<StabilityRow> finished;
+    for (const auto& r : rows_) {
+        r->upper95 = upper_bound_95(r->mismatches, r->n);
+        r->verdict = r->mismatches == 0 ? Verdict::pass : info_.exempt.empty() ? Verdict::fail : Verdict::exempt;
+        if (r->verdict == Verdict::exempt) r->reason = fmt::format("{}; {}", info_.exempt, r->reason);
+        finished.push_back(*r);
+    }
+    return finished;
+}
+
+}  // namespace kd

@@ -1,0 +1,81 @@
+// What a case of the stability suite works with: rays in the number asked for, the machines, and rows for the report.
+#pragma once
+
+#include <optional>
+
+#include "renderer/kdtree/build.h"
+#include "renderer/measure/compare.h"
+#include "renderer/measure/oracle.h"
+#include "renderer/measure/ray_machine.h"
+#include "renderer/measure/stability/stability.h"
+#include "renderer/scene/random.h"
+#include "renderer/trace/traversal.h"
+
+namespace kd {
+
+/// Triangles with their tree.
+struct Subject {
+    FlatScene scene;
+    KdTree tree;
+    BuildReport built;
+};
+
+/// What the answers of a case have to be, besides those of brute force in single precision (which always count).
+struct Expectation {
+    bool every_ray_hits = false;              // closed around every origin
+    std::optional<HitJudge> against_double;   // t, hit and triangle against double precision
+    const std::vector<Hit>* known = nullptr;  // the answers themselves; brute force is not asked then
+    std::string what;                         // names this part of the case in a failure
+};
+
+class CaseRun {
+  public:
+    struct Stopped {};
+
+    CaseRun(const StabilityCase& info, const StabilityConfig& config,
+            std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop);
+
+    /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many.
+    [[nodiscard]] std::size_t rays(std::size_t full) const;
+    [[nodiscard]] bool long_run() const { return config_.long_run; }
+    [[nodiscard]] Rules rules() const { return config_.rules; }
+    [[nodiscard]] int threads() const { return config_.threads; }
+    [[nodiscard]] unsigned seed() const { return config_.seed; }
+    Random& random() { return random_; }
+    [[nodiscard]] std::stop_token stop() const { return stop_; }
+    /// Throws Stopped.
+    void check_stop() const;
+
+    /// A grey scene of these triangles and its tree. A tree that validate() objects to is recorded as a failure.
+    [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const BuildConfig& build = {});
+
+    /// Traces the rays with every traversal on every machine and adds to their rows.
+    void check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation = {});
+
+    /// Calls back with each traversal on each machine, loaded with the subject, and the row to add to: for what check() does
+    /// not cover.
+    void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use);
+
+    /// A row of its own, for what no traversal takes part in: `mismatches` of `n`, and why.
+    void record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason = {});
+
+    /// Adds one failure to a row, with the text of the first.
+    static void fail(StabilityRow& row, const std::string& reason);
+
+    /// The rows, with bounds and verdicts.
+    [[nodiscard]] std::vector<StabilityRow> finish();
+
+  private:
+    StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
+    void judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& found, const std::vector<f64::Hit>& exact,
+                     const Expectation& expectation, StabilityRow& row) const;
+
+    const StabilityCase& info_;
+    const StabilityConfig& config_;
+    std::span<const std::unique_ptr<RayMachine>> machines_;
+    std::stop_token stop_;
+    Random random_;
+    std::vector<std::unique_ptr<StabilityRow>> rows_;
+};
+
+}  // namespace kd

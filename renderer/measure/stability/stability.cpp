@@ -1,0 +1,87 @@
+#include "renderer/measure/stability/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/measure/stability/case_run.h"
+#include "renderer/measure/stability/cases.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& ids) {
+    std::vector<const StabilityCase*> chosen;
+    for (const StabilityCase& info : stability_cases())
+        if (ids.empty() || std::ranges::find(ids, info.id) != ids.end()) chosen.push_back(&info);
+    for (const std::string& id : ids)
+        if (std::ranges::find(stability_cases(), id, &StabilityCase::id) == stability_cases().end())
+            throw InputError(fmt::format("case '{}': not known; `kdscope stability --list` names all", id));
+    return chosen;
+}
+
+std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& config, std::vector<std::string>& notes) {
+    std::vector<std::unique_ptr<RayMachine>> machines;
+    if (config.cpu) machines.push_back(cpu_machine(config.threads));
+    for (const ContextKind kind : config.contexts) {
+        try {
+            machines.push_back(gl_machine(kind));
+        } catch (const ContextError& error) {
+            notes.push_back(fmt::format("gl-fragment on {} not checked: {}", name_of(kind), error.what()));
+        }
+    }
+    return machines;
+}
+
+}  // namespace
+
+std::span<const StabilityCase> stability_cases() {
+    static const std::vector<StabilityCase> table = [] {
+        std::vector<StabilityCase> cases{
+#define KD_CASE(id) case_##id(),
+#include "renderer/measure/stability/case_list.inc"
+#undef KD_CASE
+        };
+        std::ranges::sort(cases, {}, &StabilityCase::id);
+        return cases;
+    }();
+    return table;
+}
+
+bool StabilityReport::passed() const {
+    return complete && !rows.empty() &&
+           std::ranges::none_of(rows, [](const StabilityRow& row) { return row.verdict == Verdict::fail; });
+}
+
+StabilityReport run_stability(const StabilityConfig& config,
+                              const std::function<void(float, const std::string&)>& progress, std::stop_token stop) {
+    StabilityReport report;
+    const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
+    const auto machines = open_machines(config, report.notes);
+    try {
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            if (progress) progress(float(i) / float(cases.size()), fmt::format("{} {}", cases[i]->id, cases[i]->title));
+            CaseRun run(*cases[i], config, machines, stop);
+            cases[i]->run(run);
+            for (StabilityRow& row : run.finish()) report.rows.push_back(std::move(row));
+            ++report.cases_run;
+        }
+    } catch (const CaseRun::Stopped&) {
+        report.complete = false;
+    }
+    return report;
+}
+
+double upper_bound_95(std::int64_t k, std::int64_t n) {
+    if (n <= 0) return 1;
+    if (k == 0) return std::min(1.0, 3.0 / double(n));
+    constexpr double z = 1.6449;  // one-sided 95 %
+    const double share = double(k) / double(n), zz = z * z / double(n);
+    const double spread = z * std::sqrt(share * (1 - share) / double(n) + zz / (4 * double(n)));
+    return std::min(1.0, (share + zz / 2 + spread) / (1 + zz));
+}
+
+}  // namespace kd

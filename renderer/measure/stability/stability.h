@@ -1,0 +1,73 @@
+// The stability suite: cases that break ray tracers, each with its construction, its oracle and what is accepted, run on
+// every traversal and every machine.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/gl/context_kinds.h"
+#include "renderer/trace/rules.h"
+
+namespace kd {
+
+class CaseRun;
+
+struct StabilityCase {
+    std::string_view id;            // "T14"
+    std::string_view title;         // "Closed sphere from inside"
+    std::string_view construction;  // what is traced
+    std::string_view oracle;        // what it is held against
+    std::string_view acceptance;    // when it passes
+    void (*run)(CaseRun&);
+    std::string_view exempt = {};  // why a failure is no failure of the suite; at most three cases have one
+};
+
+/// In order of their ids.
+[[nodiscard]] std::span<const StabilityCase> stability_cases();
+
+struct StabilityConfig {
+    std::vector<std::string> cases;  // ids; empty = all
+    bool long_run = false;           // all rays of a case instead of a tenth
+    Rules rules = Rules::robust;
+    bool cpu = true;
+    std::vector<ContextKind> contexts;
+    int threads = 0;
+    unsigned seed = 1;
+};
+
+enum class Verdict { pass, fail, exempt };
+
+struct StabilityRow {
+    std::string id;
+    std::string tracer, context, traversal;  // "-" where the case has none
+    std::int64_t n = 0, mismatches = 0;
+    double upper95 = 0;    // 95 % upper bound of the share of mismatches; 3/n where there is none
+    double worst_ulp = 0;  // of t against double precision, where the case asks for it
+    double seconds = 0;
+    Verdict verdict = Verdict::pass;
+    std::string reason;  // the first failure, or what was measured; a failing ray in exact hexadecimal floats
+};
+
+struct StabilityReport {
+    std::vector<StabilityRow> rows;
+    std::vector<std::string> notes;  // contexts that are not there
+    int cases_run = 0;
+    bool complete = true;  // false where stopped before the end
+    /// True where something ran, all of it to the end, and no row failed.
+    [[nodiscard]] bool passed() const;
+};
+
+/// InputError for a case that is not known. `progress` gets the fraction done and what runs.
+[[nodiscard]] StabilityReport run_stability(const StabilityConfig& config,
+                                            const std::function<void(float, const std::string&)>& progress = {},
+                                            std::stop_token stop = {});
+
+/// Upper end of the one-sided 95 % interval of a share of which `k` of `n` were seen: 3/n for none, Wilson's otherwise.
+[[nodiscard]] double upper_bound_95(std::int64_t k, std::int64_t n);
+
+}  // namespace kd

@@ -1,0 +1,63 @@
+// kd-backtrack as printed (Foley & Sugerman, Graphics Hardware 2005): after each leaf, up the parent links to the first node
+// whose box holds a part of the ray beyond the leaf, and down again from there.
+
+KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
+{
+    real3 inverse;
+    real t_begin;
+    real root_end;
+    if (!enter_as_published(s, inverse, t_begin, root_end)) return;
+
+    real t_end = root_end;
+    int node = 0;
+    int last_leaf = -1;
+    int budget = min(step_budget(), KD_PUBLISHED_BUDGET);
+
+    while (true) {
+        KdNode n = fetch_node(node);
+        bool again = last_leaf >= 0;
+        while (n.flag != KD_LEAF && budget > 0) {
+            --budget;
+            on_interior(node, again);
+            bool below_first;
+            real t_plane;
+            int visit = visit_as_published(s, inverse, n.flag, n.split, t_begin, t_end, below_first, t_plane);
+            if (visit == KD_VISIT_BOTH) t_end = t_plane;
+            bool below = below_first != (visit == KD_VISIT_FAR);
+            again = again && on_way_to(last_leaf, n, below);
+            node = child_of(node, n, below);
+            n = fetch_node(node);
+        }
+
+        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
+        if (KD_RARE(budget <= 0)) {
+            on_exit(KD_EXIT_STEP_CAP);
+            return;
+        }
+        on_leaf(node);
+        if (finish_leaf_as_published(s, n, t_end, hit)) break;
+        if (any_hit && hit.triangle >= 0) break;
+        if (t_end >= root_end) break;
+        t_begin = t_end;
+        last_leaf = node;
+
+        // Climb to a box that the ray has not left at t_begin; it is counted when it is descended from.
+        on_backtrack();
+        bool found = false;
+        int parent = n.parent;
+        while (parent >= 0 && !found && budget > 0) {
+            --budget;
+            node = parent;
+            real3 lower;
+            real3 upper;
+            fetch_node_box(node, lower, upper);
+            real t_enter = t_begin;
+            t_end = root_end;
+            found = clip_as_published(s, inverse, lower, upper, t_enter, t_end) && t_end > t_begin;
+            if (!found) on_interior(node, true);
+            parent = fetch_node(node).parent;
+        }
+        if (!found) break;
+    }
+    finish_walk(hit);
+}

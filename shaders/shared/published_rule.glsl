@@ -1,0 +1,88 @@
+// Walks as they were printed, kept to be looked at: they lose rays that touch planes, and some of them never end.
+// Compared to the robust rule: no slack, division by zero components, hits outside the leaf's cell are lost, and kd-restart
+// and kd-backtrack go on from where t ended, not from the child that they left.
+
+/// Steps after which an endless walk is ended and flagged; far above any walk that ends on the scenes of the paper.
+KD_CONST(int) KD_PUBLISHED_BUDGET = 32768;
+
+/// Which child is "first", and what part of the ray lies where: the paper's section 2.3.2 (below is first where the origin
+/// is below, `<`; both bounds belong to one side), or the first edition of Physically Based Rendering, section 4.4 (`<=`;
+/// both children are visited where the plane is met at a bound). Planes that the ray is parallel to are met at infinity,
+/// or at NaN where the origin lies in them.
+KD_FN int visit_as_published(IN(RaySetup) s, IN(real3) inverse, int axis, real split, real t_begin, real t_end,
+                             OUT(bool) below_first, OUT(real) t_plane)
+{
+    real origin = AXIS(s.ray.origin, axis);
+    PRECISE real t = (split - origin) * AXIS(inverse, axis);
+    t_plane = t;
+    if (KD_RULES == KD_RULES_FIRST_EDITION) {
+        below_first = origin <= split;
+        if (t > t_end || t < real(0)) return KD_VISIT_NEAR;
+        if (t < t_begin) return KD_VISIT_FAR;
+        return KD_VISIT_BOTH;
+    }
+    below_first = origin < split;
+    if (t >= t_end || t < real(0)) return KD_VISIT_NEAR;
+    if (t <= t_begin) return KD_VISIT_FAR;
+    return KD_VISIT_BOTH;
+}
+
+/// The slab test without padding.
+KD_FN bool clip_as_published(IN(RaySetup) s, IN(real3) inverse, real3 lower, real3 upper, INOUT(real) t_begin,
+                             INOUT(real) t_end)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        PRECISE real t_lower = (AXIS(lower, axis) - AXIS(s.ray.origin, axis)) * AXIS(inverse, axis);
+        PRECISE real t_upper = (AXIS(upper, axis) - AXIS(s.ray.origin, axis)) * AXIS(inverse, axis);
+        bool turned = t_lower > t_upper;
+        real t_near = turned ? t_upper : t_lower;
+        real t_far = turned ? t_lower : t_upper;
+        t_begin = t_near > t_begin ? t_near : t_begin;
+        t_end = t_far < t_end ? t_far : t_end;
+        if (t_begin > t_end) return false;
+    }
+    return true;
+}
+
+/// Cuts the ray to the tree's bounds. False, with the exit reason told, where the ray is invalid or misses them.
+KD_FN bool enter_as_published(IN(RaySetup) s, OUT(real3) inverse, OUT(real) t_begin, OUT(real) t_end)
+{
+    inverse = real3(real(1) / s.ray.direction.x, real(1) / s.ray.direction.y, real(1) / s.ray.direction.z);
+    t_begin = s.ray.t_min;
+    t_end = s.ray.t_max;
+    if (!valid_ray(s.ray)) {
+        on_exit(KD_EXIT_INVALID_RAY);
+        return false;
+    }
+    real3 lower;
+    real3 upper;
+    fetch_bounds(lower, upper);
+    bool empty = !(lower.x <= upper.x);
+    if (empty || !clip_as_published(s, inverse, lower, upper, t_begin, t_end)) {
+        on_exit(KD_EXIT_MISS);
+        return false;
+    }
+    return true;
+}
+
+/// Tests the leaf whose cell ends at `t_end`. True where the walk is over: under the paper's rule once something is hit
+/// "within the active part of the ray" (its section 2.3.2), and hits beyond it are lost; under the first edition's once the
+/// cells to come begin behind the nearest hit so far.
+KD_FN bool finish_leaf_as_published(IN(RaySetup) s, IN(KdNode) leaf, real t_end, INOUT(Hit) hit)
+{
+    Hit found = hit;
+    test_leaf(s, leaf, found);
+    bool within = found.triangle >= 0 && found.t <= t_end;
+    if (KD_RULES == KD_RULES_FIRST_EDITION) {
+        hit = found;
+        return found.triangle >= 0 && found.t < t_end;
+    }
+    if (within) hit = found;
+    return within;
+}
+
+/// Whether the child that is gone to holds this leaf, given that its parent `n` does.
+KD_FN bool on_way_to(int leaf, IN(KdNode) n, bool below)
+{
+    return (leaf < n.link) == below;
+}

@@ -1,0 +1,77 @@
+// What robustness costs: the stack traversal under the robust rules against the published ones, same triangle test, same
+// primary rays, one thread, in turn.
+//
+// usage: robustness_bench [ROUNDS] [SCENE...]      default 25 rounds of ball:9000 and scatter:10000
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/kdtree/build.h"
+#include "renderer/measure/timing.h"
+#include "renderer/trace/counters.h"
+#include "tests/bench/bench_scene.h"
+
+namespace {
+
+using namespace kd;
+
+std::uint64_t steps_of(CpuTracer& tracer, const TraceConfig& config, const std::vector<Ray>& rays) {
+    std::vector<Hit> hits(rays.size());
+    std::vector<RayCounters> counters(rays.size());
+    tracer.trace_rays(config, rays, false, hits, counters, 1);
+    CounterTotals totals;
+    for (const RayCounters& c : counters) totals.add(c);
+    return totals.interior_first + totals.interior_again + totals.leaves;
+}
+
+void compare(const std::string& name, int rounds) {
+    const FlatScene scene = bench_scene(name);
+    const KdTree tree = build_tree(scene.triangles, {});
+    const std::vector<Ray> rays = primary_rays(scene);
+    CpuTracer tracer(scene, tree);
+    std::vector<Hit> hits(rays.size());
+    std::printf("%s, %zu triangles, %zu primary rays, stack, 1 thread, %s, %d rounds in turn\n", name.c_str(),
+                scene.triangles.size(), rays.size(), cpu_target_name().c_str(), rounds);
+
+    std::vector<TraceConfig> configs;
+    for (const RulesInfo& rules : all_rules()) {
+        configs.emplace_back();
+        configs.back().rules = rules.id;
+    }
+    std::vector<std::vector<double>> ms(configs.size());
+    for (int round = -2; round < rounds; ++round)
+        for (std::size_t i = 0; i < configs.size(); ++i) {
+            const double time = wall_ms([&] { tracer.trace_rays(configs[i], rays, false, hits, {}, 1); });
+            if (round >= 0) ms[i].push_back(time);
+        }
+    const auto robust = double(steps_of(tracer, configs[0], rays));
+    std::printf("%-16s %9s %12s %12s   %s\n", "rules", "ms", "steps/ray", "robust costs",
+                "robust / these, per round [p25 - p75]");
+    for (std::size_t i = 0; i < configs.size(); ++i) {
+        const auto steps = double(steps_of(tracer, configs[i], rays));
+        std::vector<double> ratios;
+        for (std::size_t round = 0; round < ms[i].size(); ++round) ratios.push_back(ms[0][round] / ms[i][round]);
+        const TimeSummary ratio = summarise(ratios);
+        std::printf("%-16s %9.2f %12.2f %+10.1f %%   time x %.3f [%.3f - %.3f]\n",
+                    std::string(info(configs[i].rules).name).c_str(), summarise(ms[i]).median_ms,
+                    steps / double(rays.size()), 100 * (robust / steps - 1), ratio.median_ms, ratio.p25_ms,
+                    ratio.p75_ms);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const int rounds = argc > 1 ? std::stoi(argv[1]) : 25;
+        std::vector<std::string> names(argv + std::min(argc, 2), argv + argc);
+        if (names.empty()) names = {"ball:9000", "scatter:10000"};
+        for (const std::string& name : names) compare(name, rounds);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "robustness_bench: %s\n", error.what());
+        return 2;
+    }
+}
