@@ -33,6 +33,7 @@ struct StabilityCase {
 struct StabilityConfig {
     std::vector<std::string> cases;  // ids; empty = all
     bool long_run = false;           // all rays of a case instead of a tenth
+    std::vector<std::string> traversals;  // empty = all but naive
     Rules rules = Rules::robust;
     bool cpu = true;
     std::vector<ContextKind> contexts;
