@@ -27,15 +27,34 @@ KD_FN bool product_fits(real a)
     return abs(a) > real(1e-24) && abs(a) < real(1e30);
 }
 
+/// a - q*b, exactly where q*b is within a few units in the last place of a.
+KD_FN real remainder_of(real a, real q, real b)
+{
+    PRECISE real product = q * b;
+    PRECISE real rest = (a - product) - product_error(q, b);
+    return rest;
+}
+
+/// The number next to `sum` on the far side of what `addend` brought, where the two are about equally near to the exact
+/// start + addend; else `sum`. The addend is then known too coarsely to choose, and remainders have to.
+KD_FN real nearly_tied(real start, real addend, real sum)
+{
+    PRECISE real lost = addend - (sum - start);
+    PRECISE real other = sum + (lost + lost);
+    PRECISE real miss = (other - sum) - (lost + lost);
+    return abs(miss) < real(1e-4) * abs(lost) ? other : sum;
+}
+
 KD_FN real quotient(real a, real b)
 {
     PRECISE real q = a / b;
     if (KD_CORRECTED_ROUNDING == 0) return q;
     bool exact = product_fits(a) && factor_fits(q) && factor_fits(b);
     if (!exact) return q;
-    PRECISE real product = q * b;
-    PRECISE real rest = (a - product) - product_error(q, b);
-    PRECISE real nearest = q + rest / b;
+    PRECISE real step = remainder_of(a, q, b) / b;
+    PRECISE real nearest = q + step;
+    real other = nearly_tied(q, step, nearest);
+    if (KD_RARE(other != nearest) && abs(remainder_of(a, other, b)) < abs(remainder_of(a, nearest, b))) return other;
     return nearest;
 }
 
@@ -44,8 +63,10 @@ KD_FN real square_root(real a)
     PRECISE real root = sqrt(a);
     if (KD_CORRECTED_ROUNDING == 0) return root;
     if (!product_fits(a)) return root;
-    PRECISE real product = root * root;
-    PRECISE real rest = (a - product) - product_error(root, root);
-    PRECISE real nearest = root + rest / (real(2) * root);
+    PRECISE real step = remainder_of(a, root, root) / (root + root);
+    PRECISE real nearest = root + step;
+    real other = nearly_tied(root, step, nearest);
+    if (KD_RARE(other != nearest) && abs(remainder_of(a, other, other)) < abs(remainder_of(a, nearest, nearest)))
+        return other;
     return nearest;
 }
