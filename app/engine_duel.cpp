@@ -30,4 +30,8 @@ void DuelState::add(const DuelRound& round) {
     ratio = {s.median_ms, s.p25_ms, s.p75_ms, s.samples};
 }
 
+double DuelState::mrays_per_s(const TimeSummary& time) const {
+    return time.samples > 0 && time.median_ms > 0 ? 1e-3 * double(rays) / time.median_ms : 0;
+}
+
 }  // namespace kd

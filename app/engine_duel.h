@@ -39,6 +39,8 @@ struct DuelState {
 
     /// Drops the oldest beyond `history` rounds and summarises again.
     void add(const DuelRound& round);
+    /// Rays per second, in millions, of a machine that takes `time` for the frame; 0 while nothing was measured.
+    [[nodiscard]] double mrays_per_s(const TimeSummary& time) const;
     /// Enough rounds of both machines to say who is faster.
     [[nodiscard]] bool decided() const { return ratio.samples >= least_rounds; }
     static constexpr int least_rounds = 3;

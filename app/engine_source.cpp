@@ -21,10 +21,10 @@ class CpuSource final : public FrameSource {
         tracer_->prepare(task.config);
     }
 
-    SourceTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
-                     const std::function<void(float)>& progress) override {
+    FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
+                    const std::function<void(float)>& progress) override {
         prepare(task, frame.width, frame.height);
-        SourceTime time;
+        FrameTime time;
         time.total_ms = wall_ms([&] {
             time.complete = tracer_->trace_frame(task.config, task.camera, frame, task.threads, stop, progress);
         });
@@ -52,10 +52,10 @@ class GlSource final : public FrameSource {
         tracer_.prepare(complete(task), width, height);
     }
 
-    SourceTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
-                     const std::function<void(float)>& progress) override {
+    FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
+                    const std::function<void(float)>& progress) override {
         prepare(task, frame.width, frame.height);
-        SourceTime time;
+        FrameTime time;
         for (int y = 0; y < frame.height;) {
             if (stop.stop_requested()) {
                 time.complete = false;
@@ -82,7 +82,7 @@ class GlSource final : public FrameSource {
         return {.trace = task.config, .early_z = task.early_z, .count_shaded = task.config.counters};
     }
 
-    void add(const GlFrameReport& report, SourceTime& time) {
+    void add(const GlFrameReport& report, FrameTime& time) {
         clock_ = report.clock;
         time.total_ms += report.total_ms;
         for (std::size_t pass = 0; pass < pass_count; ++pass) {

@@ -9,20 +9,13 @@
 #include <string>
 
 #include "app/engine_world.h"
+#include "app/frame_time.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/trace_config.h"
 
 namespace kd {
-
-/// A frame's time by the source's own clock. `pass_ms` is -1 where passes are not timed apart or did not run.
-struct SourceTime {
-    double total_ms = 0;
-    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
-    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};  // -1: not counted, or did not run
-    bool complete = true;                                                // false where stopped
-};
 
 /// What is traced, on how many threads (0 = all; for the CPU alone), and how pixels are culled (for the GPU alone).
 struct FrameTask {
@@ -40,8 +33,8 @@ class FrameSource {
     /// Makes tables, programs and targets, outside of any timing. InputError where the source has to refuse.
     virtual void prepare(const FrameTask& task, int width, int height) = 0;
     /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.
-    virtual SourceTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
-                             const std::function<void(float)>& progress) = 0;
+    virtual FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
+                            const std::function<void(float)>& progress) = 0;
     /// Brings what trace() made into `frame`.
     virtual void read(const FrameTask& task, Frame& frame) = 0;
     [[nodiscard]] virtual std::string clock() const = 0;

@@ -11,7 +11,9 @@
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
 #include "app/engine_world.h"
+#include "app/frame_time.h"
 #include "app/session.h"
+#include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 #include "viz/figure.h"
 
@@ -24,11 +26,12 @@ struct TracedFrame {
     Camera camera;
     TraceConfig config;
     TracerKind tracer = TracerKind::cpu;
-    int scale = 1;            // 1 = every pixel of the picture, 8 = one of 8x8: a preview
-    double milliseconds = 0;  // of tracing alone
+    int scale = 1;      // 1 = every pixel of the picture, 8 = one of 8x8: a preview
+    FrameTime time;     // of tracing alone
+    std::string clock;  // that the time was read from
+    SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
-    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};  // by the GPU's passes; -1 = none
-    std::uint64_t generation = 0;                                        // EngineState::generation that it answers
+    std::uint64_t generation = 0;  // EngineState::generation that it answers
 };
 
 /// What the colours of a map mean.

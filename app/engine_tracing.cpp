@@ -71,15 +71,15 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
         const bool at_once = scale == first && predicted > 0 && predicted < 2 * LevelPlan::first_frame_ms;
         const std::shared_ptr<Frame> frame = frames_.take(width, height);
         machine.prepare(task, width, height);
-        SourceTime time;
+        FrameTime time;
         const double with_reading = wall_ms([&] {
             time = machine.trace(task, *frame, at_once ? std::stop_token{} : stop, progress);
             if (time.complete) machine.read(task, *frame);
         });
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
-        publish({request.world, frame, request.camera, request.config, request.tracer, scale, time.total_ms, omitted,
-                 time.shaded_pixels, request.generation});
+        publish({request.world, frame, request.camera, request.config, request.tracer, scale, time, machine.clock(),
+                 needs, omitted, request.generation});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }
@@ -109,12 +109,12 @@ std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::s
         machine.prepare(task, reply.width, reply.height);
         return machine.trace(task, *scratch, stop, {});
     };
-    const SourceTime cpu = time(source(TracerKind::cpu));
+    const FrameTime cpu = time(source(TracerKind::cpu));
     if (!cpu.complete) return std::nullopt;
     reply.round.cpu_ms = cpu.total_ms;
     reply.cpu_clock = cpu_->clock();
     if (open().available()) {
-        const SourceTime gl = time(source(TracerKind::gl_fragment));
+        const FrameTime gl = time(source(TracerKind::gl_fragment));
         if (!gl.complete) return std::nullopt;
         reply.round.gl_ms = gl.total_ms;
         reply.round.pass_ms = gl.pass_ms;

@@ -11,10 +11,35 @@ namespace kd {
 
 namespace {
 
+/// ", NAME VALUE" where `value` is not the default.
+template <class Value>
+std::string changed(const char* name, const Value& value, const Value& otherwise) {
+    return value == otherwise ? "" : fmt::format(", {} {}", name, value);
+}
+
 std::string tree_text(const BuildConfig& b) {
-    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{})", b.builder, b.traversal_cost,
+    const BuildConfig start;
+    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{})", b.builder, b.traversal_cost,
                        b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
-                       b.trim_leaves ? "" : ", box leaves");
+                       b.trim_leaves ? "" : ", box leaves", changed("depth limit", b.max_depth, start.max_depth),
+                       changed("bad splits", b.bad_refines, start.bad_refines),
+                       changed("reference cap", b.reference_cap, start.reference_cap));
+}
+
+std::string camera_words(const Camera& c) {
+    const auto text = [](Vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    return fmt::format(", camera \"{} {} {} {}\"", text(c.eye), text(c.target), text(c.up), c.fov_y_degrees);
+}
+
+/// What else differs from the default, with a comma before each; the camera as option --camera takes it.
+std::string differences(const FigureFacts& f) {
+    const TraceConfig start;
+    const bool published = f.tracer == TracerKind::gl_fragment && f.early_z == EarlyZ::as_published;
+    return (f.trace.shadows ? "" : ", no shadows") +
+           changed("bounces", f.trace.reflection_depth, start.reflection_depth) +
+           changed("least contribution", f.trace.least_contribution, start.least_contribution) +
+           (published ? ", early z as published" : "") + changed("seed", f.seed, 1u) +
+           (f.camera ? camera_words(*f.camera) : "");
 }
 
 const char* leaf_lists_text(LeafLists lists) {
@@ -44,10 +69,11 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
 }
 
 std::string caption_of(const FigureFacts& f) {
-    return fmt::format("{}, {} triangles; {}; {} traversal, {} rules, {}; {}; {} × {} in {}; kdscope {}", f.scene,
-                       number_text(double(f.triangles)), tree_text(f.build), info(f.trace.traversal).name,
-                       info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), tracer_text(f), f.width, f.height,
-                       time_text(f), build::version);
+    return fmt::format(
+        "{}, {} triangles; {}; {} traversal, {} rules, {}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
+        f.scene, number_text(double(f.triangles)), tree_text(f.build), info(f.trace.traversal).name,
+        info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), differences(f), tracer_text(f), f.width,
+        f.height, time_text(f), build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

@@ -1,6 +1,7 @@
 // What a figure says about itself: title, caption, and the text inside its file. One wording for window and commands.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/session.h"
@@ -14,6 +15,9 @@ struct FigureFacts {
     std::size_t triangles = 0;
     BuildConfig build;
     TraceConfig trace;
+    EarlyZ early_z = EarlyZ::working;
+    std::optional<Camera> camera;  // the scene's own where absent
+    unsigned seed = 1;
     TracerKind tracer = TracerKind::cpu;
     std::string renderer;
     bool software_gl = false;
@@ -25,7 +29,7 @@ struct FigureFacts {
 /// "Interior nodes visited, primary rays", the splits where no map is shown, the scene where neither is.
 [[nodiscard]] std::string title_of(const std::string& scene, const ViewConfig& view);
 
-/// All that was chosen and what it took, in one line.
+/// All that was chosen and what it took, in one line; seldom changed settings only where they differ from the default.
 [[nodiscard]] std::string caption_of(const FigureFacts& facts);
 
 /// Title, caption, program, and settings to make the picture again: `session` showing `view`.

@@ -7,20 +7,13 @@
 #include <stop_token>
 #include <string>
 
+#include "app/frame_time.h"
 #include "app/session.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
-
-/// What one frame took. `pass_ms` is -1 where passes are not timed apart or did not run, `shaded_pixels` where not counted.
-struct FrameTime {
-    double total_ms = 0;
-    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
-    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
-    bool complete = true;  // false where stopped
-};
 
 class FrameTracer {
   public:

@@ -26,6 +26,13 @@ std::string json_key(std::string_view name) {
     return key;
 }
 
+Json json_of(const Camera& camera) {
+    return {{"eye", json_of(camera.eye)},
+            {"target", json_of(camera.target)},
+            {"up", json_of(camera.up)},
+            {"fov", json_number(camera.fov_y_degrees)}};
+}
+
 Json json_of(const BuildConfig& b) {
     return {{"builder", b.builder},
             {"traversal_cost", json_number(b.traversal_cost)},
@@ -74,11 +81,7 @@ Json json_of(const Session& s) {
               {"min_contribution", json_number(s.trace.least_contribution)},
               {"threads", s.threads},
               {"build", json_of(s.build)}};
-    if (s.camera)
-        json["camera"] = {{"eye", json_of(s.camera->eye)},
-                          {"target", json_of(s.camera->target)},
-                          {"up", json_of(s.camera->up)},
-                          {"fov", json_number(s.camera->fov_y_degrees)}};
+    if (s.camera) json["camera"] = json_of(*s.camera);
     return json;
 }
 

@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 /// Everything in the session but the view.
 [[nodiscard]] Json json_of(const Session& session);
+[[nodiscard]] Json json_of(const Camera& camera);
 [[nodiscard]] Json json_of(const BuildConfig& build);
 [[nodiscard]] Json json_of(const ViewConfig& view);
 [[nodiscard]] Json json_of(const FlatScene& scene);

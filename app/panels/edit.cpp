@@ -7,6 +7,12 @@
 #include "renderer/trace/traversal.h"
 #include "viz/colormap.h"
 
+namespace kd {
+
+Pass rays_read(const Edit& edit) { return edit.window.pixel_rays.value_or(edit.session.view.map.rays); }
+
+}  // namespace kd
+
 namespace kd::edits {
 
 namespace {
@@ -93,6 +99,16 @@ void lock_range(const EngineState& state, Edit& edit, bool lock) {
     if (!lock || !state.picture || !state.picture->map) return;
     heat.range_min = state.picture->map->summary.range.min;
     heat.range_max = state.picture->map->summary.range.max;
+}
+
+void change_fly_speed(Edit& edit, int steps) {
+    constexpr float fastest = 64;
+    edit.window.fly_speed = std::clamp(std::ldexp(edit.window.fly_speed, steps), 1 / fastest, fastest);
+}
+
+void switch_camera_style(Edit& edit) {
+    const bool orbits = edit.window.camera_style == CameraStyle::orbit;
+    edit.window.camera_style = orbits ? CameraStyle::fly : CameraStyle::orbit;
 }
 
 void switch_tracer(const EngineState& state, Edit& edit) {

@@ -12,6 +12,9 @@ namespace kd {
 /// Where the legend lies over the picture.
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
+/// What a drag does: turn the eye about the target, or the view about the eye.
+enum class CameraStyle { orbit, fly };
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
@@ -21,6 +24,8 @@ struct WindowSettings {
     Corner legend_corner = Corner::bottom_right;
     float text_scale = 1;  // of everything, over the display's own scale
     std::optional<PixelPosition> pinned;
+    std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
+    CameraStyle camera_style = CameraStyle::orbit;
     std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
     std::string folder = ".";       // of exported files; "~" stands for the home folder
     float fly_speed = 1;            // times the scene's size per 4 seconds
@@ -34,6 +39,8 @@ enum class Action {
     export_window,   // with panels
     export_csv,
     export_json,
+    copy_camera,   // to the clipboard, as JSON
+    paste_camera,  // from there
 };
 
 struct Edit {
@@ -47,6 +54,9 @@ struct Edit {
 };
 
 inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
+
+/// Whose numbers PIXEL shows.
+[[nodiscard]] Pass rays_read(const Edit& edit);
 
 /// Changes that panels and keys share.
 namespace edits {
@@ -67,6 +77,9 @@ void next_colormap(Edit& edit);
 void change_text_scale(Edit& edit, int steps);
 /// Keeps the range of the picture shown, or goes back to the automatic one.
 void lock_range(const EngineState& state, Edit& edit, bool lock);
+/// Twice (+1) or half (-1) as fast through the scene.
+void change_fly_speed(Edit& edit, int steps);
+void switch_camera_style(Edit& edit);
 void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);

@@ -20,7 +20,7 @@ void draw_hit(const PassReading& ray) {
     widgets::value("triangle", hit ? fmt::format("#{}", ray.hit.triangle) : missed,
                    "Number of the triangle that the ray hit first.");
     widgets::value("distance t", hit ? number_text(double(ray.hit.t)) : none,
-                   "From the eye to the hit, in scene units.");
+                   "From the ray's origin to the hit, in scene units.");
     widgets::value("u, v", hit ? fmt::format("{:.3f}, {:.3f}", ray.hit.u, ray.hit.v) : none,
                    "Barycentric coordinates in the triangle.");
     widgets::value("ended by", ray.traced ? std::string(exit_reason_name(ray.counters.exit_reason)) : none,
@@ -42,10 +42,25 @@ void draw_counters(const PassReading& ray) {
     count("deepest stack", c.stack_depth, "Most far children that waited at one time.");
 }
 
-/// One line for each other kind of rays at this pixel.
-void draw_other_rays(const PixelReading& reading) {
+/// Whose walk is read: the map's rays unless one kind is chosen.
+void draw_rays(Edit& edit) {
+    const std::string shown(ray_names[std::size_t(edit.session.view.map.rays)]);
+    std::vector<widgets::Option> options{{"the map's", "Those that VIEW shows: " + shown + "."}};
+    for (std::size_t p = 0; p < pass_count; ++p)
+        options.push_back({std::string(ray_names[p]), fmt::format("Traced by pass {}.", pass_names[p])});
+    int index = edit.window.pixel_rays ? 1 + int(*edit.window.pixel_rays) : 0;
+    if (!widgets::choice("rays", index, options,
+                         "Whose numbers stand here. Counters are sums over a pixel's lights or bounces; the hit is the "
+                         "first occluder, or that of the first bounce."))
+        return;
+    edit.window.pixel_rays = index == 0 ? std::nullopt : std::optional(Pass(index - 1));
+}
+
+/// One line for each of the other kinds of rays at this pixel.
+void draw_other_rays(const PixelReading& reading, Pass read) {
     widgets::heading("other rays: nodes, tests");
-    for (std::size_t p = 1; p < pass_count; ++p) {
+    for (std::size_t p = 0; p < pass_count; ++p) {
+        if (Pass(p) == read) continue;
         const PassReading& ray = reading.passes[p];
         const RayCounters& c = ray.counters;
         widgets::value(ray_names[p].data(),
@@ -72,10 +87,13 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const std::optional<PixelReading>& found = state.pinned ? state.pinned : state.hovered;
     const PixelReading reading = found.value_or(PixelReading{});
     draw_position(found, state.pinned.has_value());
-    draw_hit(reading.primary());
-    widgets::heading("the primary ray's walk");
-    draw_counters(reading.primary());
-    draw_other_rays(reading);
+    draw_rays(edit);
+    const Pass read = rays_read(edit);
+    const PassReading& ray = reading.passes[std::size_t(read)];
+    draw_hit(ray);
+    widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
+    draw_counters(ray);
+    draw_other_rays(reading, read);
     const bool pinned = edit.window.pinned.has_value();
     if (widgets::button("release pixel",
                         pinned ? "Follows the mouse again. Key Esc."

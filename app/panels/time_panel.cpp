@@ -29,15 +29,16 @@ void large(const std::string& text, ImU32 colour) {
     ImGui::PopFont();
 }
 
-/// A machine's median, large, with spread and rate below.
+/// A machine's median, large, with spread, rate and clock below.
 void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time, const DuelState& duel,
-                  const std::string& missing) {
+                  const std::string& clock, const std::string& missing) {
     ImGui::BeginGroup();
     widgets::note(name, colour);
     large(time.samples > 0 ? ms_text(time.median_ms) : none, shade(duel, theme::text));
     if (time.samples > 0) {
         widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)));
-        widgets::note(fmt::format("{} Mrays/s", number_text(double(duel.rays) / time.median_ms * 1e-3)));
+        widgets::note(fmt::format("{} Mrays/s", number_text(duel.mrays_per_s(time))));
+        widgets::note(clock);
     } else {
         widgets::note(missing);
     }
@@ -139,10 +140,11 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const float widths[] = {theme::px(122), theme::px(160), theme::px(234), theme::px(160)};
     for (int i = 0; i < 4; ++i) ImGui::SetColumnWidth(i, widths[i]);
     ImGui::SetColumnWidth(4, std::max(theme::px(100), width - widths[0] - widths[1] - widths[2] - widths[3]));
-    draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, waiting);
+    draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, duel.cpu_clock, waiting);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
-    draw_machine("GPU " + traversal + (state.gl.software ? " (software)" : ""), theme::gpu, duel.gl, duel, no_gpu);
+    draw_machine("GPU " + traversal + (state.gl.software ? " (software)" : ""), theme::gpu, duel.gl, duel,
+                 duel.gl_clock, no_gpu);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
     draw_verdict(state);

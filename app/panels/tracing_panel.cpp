@@ -75,16 +75,27 @@ void draw_rules(TraceConfig& trace) {
 void draw_shaded(const Picture& picture) {
     widgets::heading("pixels shaded by each pass");
     for (std::size_t p = 0; p < pass_count; ++p) {
-        const std::int64_t shaded = picture.traced.shaded_pixels[p];
+        const std::int64_t shaded = picture.traced.time.shaded_pixels[p];
         widgets::value(pass_names[p].data(), shaded >= 0 ? number_text(double(shaded)) : "did not run",
                        "Runs of this pass's shader, counted exactly. Bounces beyond the first add to the last two.");
     }
 }
 
-void draw_left_out(const Picture& picture) {
-    if (picture.traced.left_out.empty()) return;
-    widgets::heading("left out, not needed here");
-    for (const std::string& line : picture.traced.left_out) widgets::note(line);
+/// "2 passes; left out: RTRefl, ShadeRefl, textures", with the reasons in the tooltip.
+void draw_passes_run(const TracedFrame& traced) {
+    const SceneNeeds& needs = traced.needs;
+    std::string missing;
+    const auto name = [&](bool needed, const char* what) {
+        if (!needed) missing += (missing.empty() ? "; left out: " : ", ") + std::string(what);
+    };
+    name(needs.reflections, "RTRefl, ShadeRefl");
+    name(needs.textures, "textures");
+    name(needs.normals, "normals");
+    name(needs.shadows, "shadow rays");
+    std::string why = "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects.";
+    for (const std::string& line : traced.left_out) why += "\n" + line + ".";
+    widgets::note((needs.reflections ? "4 passes" : "2 passes") + missing);
+    widgets::hint(why);
 }
 
 }  // namespace
@@ -99,13 +110,17 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     widgets::toggle("shadows", trace.shadows,
                     "One shadow ray per light and hit (pass ShadePrim). Off: every light reaches everything. Option "
                     "--no-shadows.");
+    if (state.picture) draw_passes_run(state.picture->traced);
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
+    widgets::slider(
+        "least contribution", trace.least_contribution, 0, 1, "%.4f",
+        "The second way for a path to end: a reflection that would add less than this to every colour (0..1) "
+        "is not followed. 0.004 is one step of 8 bits; 0 follows all bounces. Option --min-contribution.",
+        true);
     draw_leaf_lists(trace);
     draw_early_z(edit);
     draw_rules(trace);
-    if (!state.picture) return;
-    if (state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(*state.picture);
-    draw_left_out(*state.picture);
+    if (state.picture && state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(*state.picture);
 }
 
 }  // namespace kd

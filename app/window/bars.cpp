@@ -104,14 +104,16 @@ void draw_badge(const EngineState& state, Edit& edit) {
         edit.window.help = !edit.window.help;
 }
 
-std::string status_text(const EngineState& state) {
+std::string status_text(const EngineState& state, const WindowSettings& window) {
     if (state.loading.active) return "loading " + state.loading_name;
     if (!state.picture) return "starting";
     const TracedFrame& traced = state.picture->traced;
     const double rays = double(traced.frame->width) * double(traced.frame->height);
-    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms", state.session.width,
-                       state.session.height, number_text(rays), number_text(traced.milliseconds),
-                       number_text(state.last_build_ms));
+    const std::string flight =
+        window.camera_style == CameraStyle::fly ? fmt::format("   ·   flying, speed {}", window.fly_speed) : "";
+    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms{}", state.session.width,
+                       state.session.height, number_text(rays), number_text(traced.time.total_ms),
+                       number_text(state.last_build_ms), flight);
 }
 
 /// The bar of the work that takes longest now.
@@ -167,7 +169,7 @@ void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edi
     begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)},
                ImGuiWindowFlags_NoScrollbar);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
-    ImGui::TextUnformatted(status_text(state).c_str());
+    ImGui::TextUnformatted(status_text(state, edit.window).c_str());
     ImGui::PopStyleColor();
     draw_work(state, edit);
     const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys, text size";

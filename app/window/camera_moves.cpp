@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 namespace kd {
 
@@ -50,6 +51,14 @@ Camera orbit(const Camera& camera, float right, float down) {
     Camera next = camera;
     next.eye = Vec3(dvec3(camera.target) + axes.distance * (flat * std::cos(height) + pole * std::sin(height)));
     return valid_or(next, camera);
+}
+
+Camera look_around(const Camera& camera, float right, float down) {
+    Camera back = camera;  // from the target to the eye: its orbit turns the target about the eye
+    std::swap(back.eye, back.target);
+    back = orbit(back, right, -down);
+    std::swap(back.eye, back.target);
+    return back;
 }
 
 Camera pan(const Camera& camera, float right, float down) {

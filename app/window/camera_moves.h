@@ -9,6 +9,9 @@ namespace kd {
 /// Turns the eye about the target: `right` and `down` in radians. Stops short of looking along `up`.
 [[nodiscard]] Camera orbit(const Camera& camera, float right, float down);
 
+/// Turns the view about the eye: `right` and `down` in radians. Stops short of looking along `up`.
+[[nodiscard]] Camera look_around(const Camera& camera, float right, float down);
+
 /// Moves eye and target so that what is at the target's distance follows the mouse; in shares of the picture's height.
 [[nodiscard]] Camera pan(const Camera& camera, float right, float down);
 

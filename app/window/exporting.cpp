@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/figure_text.h"
-#include "app/json_values.h"
+#include "app/frame_summary.h"
 #include "app/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
@@ -28,17 +28,26 @@ FigureFacts facts_of(const EngineState& state) {
             .triangles = traced.world->scene().triangles.size(),
             .build = traced.world->built_with,
             .trace = traced.config,
+            .early_z = state.session.early_z,
+            .camera = state.session.camera,
+            .seed = traced.world->loaded->seed,
             .tracer = traced.tracer,
             .renderer = renderer_of(state),
             .software_gl = !on_cpu(state) && state.gl.software,
             .width = traced.frame->width,
             .height = traced.frame->height,
-            .milliseconds = traced.milliseconds,
-            .clock = on_cpu(state) ? state.duel.cpu_clock : state.duel.gl_clock};
+            .milliseconds = traced.time.total_ms,
+            .clock = traced.clock};
 }
 
 std::string title_of(const EngineState& state) {
     return title_of(state.picture->traced.world->loaded->name, state.picture->view);
+}
+
+RayCounts rays_of(const TracedFrame& traced) {
+    const Frame& frame = *traced.frame;
+    const PinholeCamera camera = pinhole(traced.camera, frame.width, frame.height);
+    return count_rays(traced.world->scene(), traced.world->tree, traced.config, camera, frame.width, frame.height);
 }
 
 PngText png_text(const EngineState& state) {
@@ -62,29 +71,21 @@ fs::path next_file(const fs::path& folder, const std::string& extension) {
     return folder / fmt::format("kdscope-{}{}", number, extension);
 }
 
-Json summary_json(const EngineState& state) {
+Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays) {
     const TracedFrame& traced = state.picture->traced;
-    const Frame& frame = *traced.frame;
-    Json settings = json_of(state.session);
-    settings["view"] = json_of(state.session.view);
-    CounterTotals totals;
-    for (const RayCounters& c : frame.layer(Pass::rt_prim).counters.pixels) totals.add(c);
-    return {{"settings", settings},
-            {"scene", json_of(traced.world->scene())},
-            {"tree", json_of(traced.world->stats)},
-            {"renderer", renderer_of(state)},
-            {"software_gl", !on_cpu(state) && state.gl.software},
-            {"gpu",
-             {{"renderer", state.gl.renderer}, {"software", state.gl.software}, {"unavailable", state.gl.unavailable}}},
-            {"frame", {{"width", frame.width}, {"height", frame.height}, {"scale", traced.scale}}},
-            {"ms", {{"build", 1e3 * traced.world->report.seconds}, {"trace", traced.milliseconds}}},
-            {"duel",
-             {{"rounds", state.duel.rounds.size()},
-              {"rays", state.duel.rays},
-              {"cpu_ms", state.duel.cpu.median_ms},
-              {"gl_ms", state.duel.gl.median_ms}}},
-            {"left_out", traced.left_out},
-            {"counters", {{"primary", json_of(totals)}}}};
+    Session session = state.session;
+    session.camera = traced.camera;  // also where it is the scene's own: files name it
+    return summary_json({.session = session,
+                         .scene = traced.world->scene(),
+                         .stats = traced.world->stats,
+                         .build_seconds = traced.world->report.seconds,
+                         .frame = *traced.frame,
+                         .time = traced.time,
+                         .renderer = renderer_of(state),
+                         .software_gl = !on_cpu(state) && state.gl.software,
+                         .clock = traced.clock,
+                         .left_out = traced.left_out},
+                        rays);
 }
 
 fs::path export_file(Action what, const EngineState& state, const std::string& folder, const Font& font) {
@@ -94,7 +95,7 @@ fs::path export_file(Action what, const EngineState& state, const std::string& f
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
     if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame));
-    if (what == Action::export_json) write_file(path, json_text(summary_json(state)));
+    if (what == Action::export_json) write_file(path, json_text(summary_json(state, rays_of(traced))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
     write_png(path,

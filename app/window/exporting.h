@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "app/json_values.h"
 #include "app/panels/edit.h"
 #include "viz/text.h"
 
@@ -13,8 +14,8 @@ namespace kd {
 /// `folder`/kdscope-N`extension` with the least N for which no kdscope-N file of any kind is there.
 [[nodiscard]] std::filesystem::path next_file(const std::filesystem::path& folder, const std::string& extension);
 
-/// Settings, tree, machine, times and counter totals of the picture shown.
-[[nodiscard]] nlohmann::ordered_json summary_json(const EngineState& state);
+/// Of the picture shown, as the function of this name in app/frame_summary.h.
+[[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays);
 
 /// Everything but Action::export_window. Returns the path written. InputError.
 [[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state, const std::string& folder,

@@ -99,9 +99,10 @@ void draw_help(Edit& edit) {
     ImGui::Columns(2, "keys", false);
     ImGui::SetColumnWidth(0, theme::px(290));
     draw_keys(0, 1);
+    draw_keys(3, 99);
     ImGui::NextColumn();
     draw_gestures();
-    draw_keys(2, 99);
+    draw_keys(2, 2);
     ImGui::Columns(1);
     ImGui::Dummy({0, theme::px(8)});
     draw_text_scale(edit);

@@ -78,6 +78,14 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_DOWN, plain, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
     {GLFW_KEY_F, plain, "F", pixel, "look at the pixel's hit", [](State s, Edit& e) { edits::focus(s, e); }},
     {GLFW_KEY_R, plain, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
+    {GLFW_KEY_O, plain, "O", pixel, "drag to orbit, or to look around",
+     [](State, Edit& e) { edits::switch_camera_style(e); }},
+    {GLFW_KEY_PAGE_UP, plain, "PgUp", pixel, "fly faster", [](State, Edit& e) { edits::change_fly_speed(e, 1); }},
+    {GLFW_KEY_PAGE_DOWN, plain, "PgDn", pixel, "fly slower", [](State, Edit& e) { edits::change_fly_speed(e, -1); }},
+    {GLFW_KEY_C, GLFW_MOD_CONTROL, "Ctrl C", pixel, "copy the camera, as JSON",
+     [](State, Edit& e) { e.do_once(Action::copy_camera); }},
+    {GLFW_KEY_V, GLFW_MOD_CONTROL, "Ctrl V", pixel, "paste a camera",
+     [](State, Edit& e) { e.do_once(Action::paste_camera); }},
 
     {GLFW_KEY_U, plain, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
     {GLFW_KEY_F12, plain, "F12", window, "save a figure (PNG)",
@@ -94,13 +102,12 @@ constexpr KeyBinding table[] = {
 };
 
 constexpr Gesture held[] = {
-    {"drag", "orbit"},
+    {"drag", "orbit, or look around (O)"},
     {"Shift+drag", "pan (or middle, right)"},
     {"scroll", "closer, farther"},
     {"double click", "orbit about what is there"},
     {"click", "pin the pixel, or release it"},
-    {"right + WASD", "fly"},
-    {"right + PgUp, PgDn", "fly faster, slower"},
+    {"right + WASD, QE", "fly"},
     {"Ctrl+click", "type into a slider"},
     {"drag the legend", "to another corner"},
 };

@@ -16,7 +16,7 @@ struct KeyBinding {
     void (*apply)(const EngineState&, Edit&);
 };
 
-/// All keys that do something at once. Flying (W A S D with the right button held) is the viewport's.
+/// All keys that do something at once. Flying (W A S D Q E with a button held) is the viewport's.
 [[nodiscard]] std::span<const KeyBinding> key_bindings();
 
 /// Gestures of the mouse and keys that are held: shown in the help beside the keys.

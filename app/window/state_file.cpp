@@ -30,8 +30,6 @@ Json messages_json(const EngineState& state) {
     return list;
 }
 
-Json json_of(Vec3 v) { return {json_number(v.x), json_number(v.y), json_number(v.z)}; }
-
 Json json_of(const Rectangle& r) { return Json::array({r.x, r.y, r.width, r.height}); }
 
 Json json_of(const Places& places) {
@@ -42,6 +40,8 @@ Json json_of(const Places& places) {
 
 Json json_of(const WindowSettings& window) {
     return {{"panels", window.panels},
+            {"camera_style", window.camera_style == CameraStyle::orbit ? "orbit" : "fly"},
+            {"fly_speed", json_number(window.fly_speed)},
             {"help", window.help},
             {"legend", window.legend},
             {"legend_corner", int(window.legend_corner)},
@@ -50,10 +50,15 @@ Json json_of(const WindowSettings& window) {
 
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
-    Json json = summary_json(state);
-    json["early_z"] = state.session.early_z == EarlyZ::working ? "working" : "as-published";
-    json["shaded_pixels"] = state.picture->traced.shaded_pixels;
-    json["camera"] = {{"eye", json_of(state.camera.eye)}, {"target", json_of(state.camera.target)}};
+    Json json = summary_json(state, {});
+    json["generation"] = state.generation;
+    const TracedFrame& traced = state.picture->traced;
+    json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
+    json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
+    json["duel"] = {
+        {"rounds", state.duel.rounds.size()}, {"cpu_ms", state.duel.cpu.median_ms}, {"gl_ms", state.duel.gl.median_ms}};
+    json["camera"] = kd::json_of(state.camera);
+    json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
@@ -65,11 +70,13 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
 
 }  // namespace
 
-void StateFile::update(const EngineState& state, const Edit& edit, const Rectangle& picture, const Places& places) {
+void StateFile::update(const EngineState& state, const Edit& edit, const Rectangle& picture, const Places& places,
+                       const InputCounts& inputs) {
     const bool building = state.building.active;
     if (path_.empty() || (!building && (state.stale() || state.working()))) return;
     Json json = building ? Json::object() : whole_state(state, edit, picture);
     json["building"] = building;
+    json["inputs"] = inputs;
     json["places"] = json_of(places);
     const std::string text = json_text(json);
     if (text == written_) return;

@@ -105,7 +105,8 @@ void Viewport::handle_drag(const Rectangle& area, const EngineState& state, Edit
     const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     if (left && !io.KeyShift) {
         const float turn = radians_per_pixel / theme::px(1);
-        edit.session.camera = orbit(current(state, edit), moved.x * turn, moved.y * turn);
+        const auto move = edit.window.camera_style == CameraStyle::orbit ? orbit : look_around;
+        edit.session.camera = move(current(state, edit), moved.x * turn, moved.y * turn);
     } else {
         edit.session.camera = pan(current(state, edit), moved.x / area.height, moved.y / area.height);
     }
@@ -131,10 +132,9 @@ void Viewport::handle_click(const EngineState& state, Edit& edit) {
 }
 
 void Viewport::handle_flight(const EngineState& state, float seconds, Edit& edit) {
-    flying_ = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    const bool by_left = edit.window.camera_style == CameraStyle::fly && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    flying_ = ImGui::IsItemActive() && (by_left || ImGui::IsMouseDown(ImGuiMouseButton_Right));
     if (!flying_ || !state.world || state.loading.active) return;
-    if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP)) edit.window.fly_speed = std::min(64.0f, edit.window.fly_speed * 2);
-    if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN)) edit.window.fly_speed = std::max(1 / 64.0f, edit.window.fly_speed / 2);
     const auto held = [](int more, int less) { return float(ImGui::IsKeyDown(more)) - float(ImGui::IsKeyDown(less)); };
     const float forward = held(GLFW_KEY_W, GLFW_KEY_S);
     const float right = held(GLFW_KEY_D, GLFW_KEY_A);

@@ -15,7 +15,7 @@ class Viewport {
     /// camera, the pixel under the mouse, the pinned one. `seconds` since the frame before, for flying.
     void draw(const Rectangle& area, const EngineState& state, double now, float seconds, Edit& edit);
 
-    /// The right button is held over the picture: letters fly and are no commands.
+    /// A button is held over the picture that lets letters fly: they are no commands then.
     [[nodiscard]] bool flying() const { return flying_; }
 
   private:

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "app/camera_text.h"
 #include "app/fonts.h"
 #include "app/panels/panel.h"
 #include "app/window/bars.h"
@@ -17,6 +18,7 @@
 #include "app/window/home_path.h"
 #include "app/window/keys.h"
 #include "app/window/theme.h"
+#include "renderer/geometry/input_error.h"
 
 namespace kd {
 
@@ -100,6 +102,7 @@ WindowMemory WindowLoop::memory() const {
 
 void WindowLoop::on_input(const char* kind) {
     log_.input(kind, engine_->now());
+    ++inputs_[kind];
     engine_->note_input();
     lively_frames_ = frames_after_input;
 }
@@ -150,7 +153,9 @@ void WindowLoop::apply_scale() {
     if (wanted == scale_) return;
     scale_ = wanted;
     theme::apply(scale_);
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new fonts
+    // Not all device objects: Dear ImGui 1.86 forgets that the new vertex buffers are empty, and draws nothing.
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
     lively_frames_ = frames_after_input;
 }
 
@@ -190,7 +195,9 @@ void WindowLoop::present_frame() {
     const std::shared_ptr<const Picture> shown = engine_->state().picture;
     glfwSwapBuffers(window_.handle());
     log_.presented(shown.get(), engine_->now());
-    state_file_.update(engine_->state(), edit_, layout_.picture, places_);
+    const bool answered = lively_frames_ <= 1;  // this frame is the last that the input asked for
+    state_file_.update(engine_->state(), edit_, layout_.picture, places_, answered ? inputs_ : answered_);
+    if (answered) answered_ = inputs_;
 }
 
 void WindowLoop::draw_panels(const Layout& layout) {
@@ -222,9 +229,10 @@ void WindowLoop::draw_panels(const Layout& layout) {
 
 void WindowLoop::apply_keys() {
     const bool list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    const bool meant_elsewhere = list_open || ImGui::GetIO().WantTextInput || viewport_->flying();
+    const bool meant_elsewhere = list_open || ImGui::GetIO().WantTextInput;
     for (const KeyPress& press : keys_) {
-        if (!meant_elsewhere) apply_key(press.key, press.modifiers, engine_->state(), edit_);
+        const bool flies = viewport_->flying() && press.key >= GLFW_KEY_A && press.key <= GLFW_KEY_Z;
+        if (!meant_elsewhere && !flies) apply_key(press.key, press.modifiers, engine_->state(), edit_);
         if (list_open && press.key == GLFW_KEY_ESCAPE) ImGui::SetWindowFocus(nullptr);  // closes lists
     }
     keys_.clear();
@@ -245,8 +253,27 @@ void WindowLoop::carry_out(Action action) {
         case Action::cancel_build: engine_->cancel_build(); break;
         case Action::dismiss_messages: engine_->dismiss_messages(); break;
         case Action::export_window: window_export_ = true; break;  // when the frame is drawn
+        case Action::copy_camera: copy_camera(); break;
+        case Action::paste_camera: paste_camera(); break;
         default: write_files(action);
     }
+}
+
+void WindowLoop::copy_camera() {
+    glfwSetClipboardString(window_.handle(), camera_text(engine_->state().camera).c_str());
+    engine_->say(false, "copied the camera");
+}
+
+void WindowLoop::paste_camera() {
+    const char* text = glfwGetClipboardString(window_.handle());
+    try {
+        Session session = engine_->state().session;
+        session.camera = parse_camera(text ? text : "");
+        engine_->set_session(session);
+    } catch (const InputError& error) {
+        engine_->say(true, error.what());
+    }
+    lively_frames_ = frames_after_input;
 }
 
 void WindowLoop::write_files(Action action) {

@@ -49,6 +49,8 @@ class WindowLoop {
     void apply_keys();
     void apply_edit();
     void carry_out(Action action);
+    void copy_camera();
+    void paste_camera();
     void write_files(Action action);
     [[nodiscard]] Image<Rgba8> read_window() const;
     [[nodiscard]] bool resting() const;
@@ -67,7 +69,8 @@ class WindowLoop {
     Layout layout_;
     std::vector<KeyPress> keys_;
     std::vector<std::string> dropped_;
-    int lively_frames_ = 4;  // to draw before waiting again: Dear ImGui answers some inputs one frame late
+    InputCounts inputs_, answered_;  // that came, and that the screen answers
+    int lively_frames_ = 4;          // to draw before waiting again: Dear ImGui answers some inputs one frame late
     double last_frame_ = 0;
     bool window_export_ = false;
 };

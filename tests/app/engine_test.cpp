@@ -298,6 +298,35 @@ TEST(Engine, MeasuresTheSameFrameAgainAndAgainWhileIdle) {
     EXPECT_FALSE(engine.state().duel.running);
 }
 
+TEST(Engine, ARoundTimesPassesAndNamesItsClocks) {
+    EngineOptions options = quiet();
+    options.duel = true;
+    options.open_gl = [] { return Context::create(ContextKind::automatic); };
+    Engine engine(small_session("cornell"), options);
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.gl.known; }));
+    if (!engine.state().gl.available()) GTEST_SKIP() << "NO CONTEXT: " << engine.state().gl.unavailable;
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.decided(); }));
+    const DuelState& duel = engine.state().duel;
+    for (const DuelRound& round : duel.rounds) {
+        double sum = 0;
+        for (const double ms : round.pass_ms) sum += std::max(ms, 0.0);
+        EXPECT_GT(round.pass_ms[0], 0);
+        EXPECT_GT(sum, 0);
+        EXPECT_LE(sum, round.gl_ms * (1 + 1e-9));
+    }
+    for (const TimeSummary& time : {duel.cpu, duel.gl}) {
+        EXPECT_EQ(time.samples, int(duel.rounds.size()));
+        EXPECT_GT(time.p25_ms, 0);
+        EXPECT_LE(time.p25_ms, time.median_ms);
+        EXPECT_LE(time.median_ms, time.p75_ms);
+        EXPECT_DOUBLE_EQ(duel.mrays_per_s(time), double(duel.rays) / time.median_ms / 1000);
+    }
+    EXPECT_EQ(duel.mrays_per_s({}), 0);
+    EXPECT_EQ(duel.cpu_clock, "steady clock");
+    EXPECT_EQ(duel.gl_clock, engine.state().gl.software ? "finish + steady clock" : "timer query");
+    EXPECT_EQ(engine.state().picture->traced.clock, "steady clock") << "the picture is the CPU's";
+}
+
 TEST(Engine, EndsAtOnceInTheMiddleOfWork) {
     // The whole frame is hours of work: where it were not given up, this test would end by its time limit.
     Session session = small_session("ball:20000");

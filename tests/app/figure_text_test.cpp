@@ -22,7 +22,8 @@ TEST(FigureText, CaptionNamesAllThatWasChosenAndWhatItTook) {
     EXPECT_EQ(
         caption.substr(0, caption.rfind(';')),
         "ball:9000, 9\u2009010 triangles; paper tree (t_t 1, t_i 1.5, b_e 0.2 gate 0.1, leaf 2); restart traversal, "
-        "robust rules, leaf lists of references; gl-fragment on llvmpipe (software, not a GPU); 640 × 480 in 12.3 ms "
+        "robust rules, leaf lists of references, defaults elsewhere; gl-fragment on llvmpipe (software, not a GPU); "
+        "640 × 480 in 12.3 ms "
         "(timer queries)");
     EXPECT_NE(caption.find("; kdscope "), std::string::npos);
 
@@ -33,6 +34,31 @@ TEST(FigureText, CaptionNamesAllThatWasChosenAndWhatItTook) {
     EXPECT_NE(other.find("leaf 2, box leaves)"), std::string::npos) << other;
     EXPECT_NE(other.find("llvmpipe; 640"), std::string::npos) << other;
     EXPECT_NE(other.find("12.3 ms; kdscope"), std::string::npos) << other;
+}
+
+TEST(FigureText, CaptionNamesWhatDiffersFromTheDefault) {
+    FigureFacts facts;
+    EXPECT_NE(caption_of(facts).find("leaf lists of references, defaults elsewhere;"), std::string::npos);
+    facts.trace.shadows = false;
+    facts.trace.reflection_depth = 3;
+    facts.trace.least_contribution = 0.25f;
+    facts.early_z = EarlyZ::as_published;  // which the CPU does not have
+    facts.seed = 7;
+    facts.camera = Camera{.eye = Vec3(1, 2, 3.5f)};
+    facts.build.max_depth = 9;
+    facts.build.bad_refines = 5;
+    facts.build.reference_cap = 12;
+    const std::string differences =
+        "leaf lists of references, no shadows, bounces 3, least contribution 0.25{}, seed 7, camera \"1,2,3.5 0,0,0 "
+        "0,1,0 45\", defaults elsewhere;";
+    const auto with = [&](const std::string& early_z) {
+        std::string text = differences;
+        return text.replace(text.find("{}"), 2, early_z);
+    };
+    EXPECT_NE(caption_of(facts).find(with("")), std::string::npos) << caption_of(facts);
+    EXPECT_NE(caption_of(facts).find("depth limit 9, bad splits 5, reference cap 12)"), std::string::npos);
+    facts.tracer = TracerKind::gl_fragment;
+    EXPECT_NE(caption_of(facts).find(with(", early z as published")), std::string::npos) << caption_of(facts);
 }
 
 TEST(FigureText, TitleSaysWhatIsShown) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <set>
 
+#include "app/camera_text.h"
 #include "app/window/camera_moves.h"
 #include "app/window/event_log.h"
 #include "app/window/exporting.h"
@@ -49,6 +50,24 @@ TEST(CameraMoves, OrbitNeverReachesThePole) {
     EXPECT_TRUE(is_valid(camera));
     const Vec3 view = glm::normalize(camera.target - camera.eye);
     EXPECT_GT(glm::length(glm::cross(view, camera.up)), 1e-3f);
+}
+
+TEST(CameraMoves, LookingAroundKeepsTheEyeAndFollowsTheMouse) {
+    const Camera right = look_around(start, 0.2f, 0);
+    const Camera down = look_around(start, 0, 0.2f);
+    EXPECT_LT(glm::distance(right.eye, start.eye), 1e-6f);
+    EXPECT_NEAR(distance(right), distance(start), 1e-4f);
+    EXPECT_GT(glm::dot(right.target - start.target, pinhole(start, 1, 1).right), 0);
+    EXPECT_LT(down.target.y, start.target.y);
+}
+
+TEST(CameraText, ComesBackAsItWas) {
+    const Camera camera{.eye = Vec3(0.1f, 2, 5), .target = Vec3(1, 0, -1), .up = Vec3(0, 0, 1), .fov_y_degrees = 33.3f};
+    EXPECT_EQ(parse_camera(camera_text(camera)), camera);
+    EXPECT_EQ(parse_camera(R"({"eye":[0,0,3],"target":[0,0,0]})"), Camera{});
+    for (const char* text :
+         {"", "{}", "[1,2]", R"({"eye":[0,0],"target":[0,0,0]})", R"({"eye":[0,0,0],"target":[0,0,0]})"})
+        EXPECT_THROW((void)parse_camera(text), InputError) << text;
 }
 
 TEST(CameraMoves, PanMovesEyeAndTargetAlikeAcrossTheView) {

@@ -10,50 +10,62 @@ distance() { far "$(numbers eye | xargs)" "$(numbers target | xargs)"; }
 eye_moved() { far "$(numbers eye | xargs)" "$kept_eye"; }
 target_moved() { far "$(numbers target | xargs)" "$kept_target"; }
 
-# Waits for the eye to have moved and the whole picture to be there.
-wait_for_move() {
-    for _ in $(seq 100); do
-        sleep 0.1
-        holds "$(eye_moved) > 0.01" && sleep 0.5 && return
-    done
-    fail "the eye did not move: $1"
-}
-drag() {
-    hold "$1"
-    for _ in 1 2 3 4 5 6; do xdotool mousemove_relative -- 12 6 && sleep 0.05; done
-    let_go "$1"
+moved() { holds "$(eye_moved) > 0.01" || fail "the eye did not move: $1"; }
+drag() { hold "$1" && move_by 6 12 6 && let_go "$1"; }
+# Holds a key: fly KEY BUTTON. No picture is complete before the key is let go.
+fly() {
+    local keys
+    hold "$2"
+    keys=$(inputs key)
+    xdotool keydown "$1" && sleep 0.8 && xdotool keyup "$1"
+    answered key "$keys" 2
+    let_go "$2"
 }
 
 start_window ball:300
-middle() { hover $(($(value frame.width) / 2)) $(($(value frame.height) / 2)) && sleep 0.15; }
+middle() { hover $(($(value frame.width) / 2)) $(($(value frame.height) / 2)); }
 middle
 keep
-for _ in 1 2 3; do xdotool click 4 && sleep 0.1; done
-wait_for_move "wheel"
+scrolls=$(inputs scroll)
+for _ in 1 2 3; do xdotool click 4; done
+answered scroll "$scrolls" 3
+moved "wheel"
 holds "$(distance) < 0.9 * $kept_distance && $(target_moved) < 1e-4" || fail "the wheel did not come closer"
 
 keep
 xdotool keydown shift && drag 1 && xdotool keyup shift
-wait_for_move "Shift+drag"
+moved "Shift+drag"
 holds "$(distance) - $kept_distance < 1e-3 && $kept_distance - $(distance) < 1e-3" || fail "panning changed the distance"
 holds "$(target_moved) > 0.01" || fail "panning left the target"
 
 middle
 keep
 drag 1
-wait_for_move "drag"
+moved "drag"
 holds "$(target_moved) < 1e-4" || fail "an orbit moved the target"
 [[ $(value pinned) == null ]] || fail "a drag pinned a pixel"
 
 middle
 keep
-hold 3 && xdotool keydown s && sleep 0.6 && xdotool keyup s && let_go 3
-wait_for_move "S"
+fly s 3
+moved "S"
 [[ -z $(value settings.view.overlay.depth) ]] || fail "S switched the splits on while flying"
 holds "$(target_moved) > 0.01" || fail "flying left the target behind"
-back=$(eye_moved)
 keep
-hold 3 && xdotool keydown w && sleep 0.6 && xdotool keyup w && let_go 3
-wait_for_move "W"
-holds "$(eye_moved) > 0.05 * $back" || fail "W went nowhere"
+fly w 3
+moved "W"
+
+# O: a drag looks around, and letters fly while it lasts.
+press r
+press o
+wait_for '^window.camera_style=fly$'
+middle
+keep
+drag 1
+holds "$(eye_moved) < 1e-4 && $(target_moved) > 0.01" || fail "looking around moved the eye, or nothing"
+keep
+fly w 1
+moved "W while looking around"
+press o
+wait_for '^window.camera_style=orbit$'
 echo "passed"

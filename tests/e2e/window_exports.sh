@@ -11,7 +11,6 @@ click_on "EXPORT/folder"
 xdotool keydown ctrl keydown a && sleep 0.15 && xdotool keyup a keyup ctrl
 xdotool type --delay 30 '~/figures'
 press Return
-sleep 0.3
 
 export_as() {
     click_on "EXPORT/$1"
@@ -37,6 +36,12 @@ sum=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "primary_triangle_t
 [[ $sum == "$(value counters.primary.triangle_tests)" ]] || fail "the table sums to $sum tests"
 export_as JSON kdscope-5.json
 grep -q "\"triangle_tests\": $sum" home/figures/kdscope-5.json || fail "the summary has another sum"
+# The same keys and numbers as the command's, but for times and what the window shows over the image.
+"$KDSCOPE" render ball:300 --size "${width}x$height" --map nodes --opacity 0.5 -o r.png --json r.json >/dev/null
+lines_of() { KDSCOPE_STATE_FILE=$1 state | grep -v '^ms\.'; }
+lines_of r.json >command.txt && lines_of home/figures/kdscope-5.json >window.txt
+cmp -s command.txt window.txt || fail "the summaries differ: $(diff command.txt window.txt)"
+[[ $(convert home/figures/kdscope-1.png -format '%[Description]' info:) == *"(steady clock)"* ]] || fail "the caption names no clock"
 
 rm -r home/figures
 click_on "EXPORT/CSV"

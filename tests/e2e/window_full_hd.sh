@@ -47,7 +47,7 @@ press n
 wait_for '^settings.view.map.range=automatic$'
 
 read -r -a before <<<"$(place legend)"
-point_at legend && hold && hover 100 100 && sleep 0.2 && let_go
+point_at legend && hold && hover 100 100 && let_go
 wait_for '^window.legend_corner=0$'
 read -r -a after <<<"$(place legend)"
 holds "${after[0]} < ${before[0]} - 500 && ${after[1]} < ${before[1]} - 200" || fail "the legend stayed"

@@ -19,7 +19,7 @@ fi
 rm -rf work && mkdir work && cd work || exit 1
 export KDSCOPE_STATE_FILE=$PWD/state.json
 export XDG_CONFIG_HOME=$PWD/config
-export KDSCOPE_EXIT_AFTER_S=240
+export KDSCOPE_EXIT_AFTER_S=900
 window_pid=
 
 fail() {
@@ -66,6 +66,21 @@ wait_for() {
     done
 }
 
+# Waits until the screen answers COUNT more inputs of a KIND than the number BEFORE: answered KIND BEFORE COUNT.
+answered() {
+    local end=$((SECONDS + 60))
+    until (($(inputs "$1") >= $2 + $3)); do
+        kill -0 "$window_pid" 2>/dev/null || fail "the window is gone"
+        ((SECONDS < end)) || fail "$(inputs "$1") inputs of kind '$1' are answered, not $(($2 + $3))"
+        sleep 0.05
+    done
+}
+inputs() {
+    local count
+    count=$(value "inputs.$1")
+    echo "${count:-0}"
+}
+
 # Opens the window and waits for the first whole picture.
 start_window() {
     rm -f "$KDSCOPE_STATE_FILE"
@@ -77,7 +92,32 @@ start_window() {
 
 }
 
-press() { xdotool key "$@"; }
+# Presses a key, such as t or ctrl+c, and waits for the picture after it.
+press() {
+    local before parts=${1//[^+]/}
+    before=$(inputs key)
+    xdotool key "$1"
+    answered key "$before" $((2 * (1 + ${#parts})))
+}
+
+# Moves the mouse to a place of the screen.
+move_to() {
+    local before X Y
+    eval "$(xdotool getmouselocation --shell | grep '^[XY]=')"
+    [[ $X == "$1" && $Y == "$2" ]] && return
+    before=$(inputs move)
+    xdotool mousemove "$1" "$2"
+    answered move "$before" 1
+}
+# Moves it by steps: move_by STEPS X Y.
+move_by() {
+    local before
+    for _ in $(seq "$1"); do
+        before=$(inputs move)
+        xdotool mousemove_relative -- "$2" "$3"
+        answered move "$before" 1
+    done
+}
 
 # Where a control stands, such as "TREE/leaf size": left, top, width, height. Nothing where it is not to be seen.
 place() {
@@ -93,13 +133,18 @@ point_at() {
         ((SECONDS < end)) || fail "there is no '$1' to be seen"
         sleep 0.1
     done
-    xdotool mousemove "$(awk "BEGIN { print int(${x[0]} + ${2:-0.5} * ${x[2]}) }")" "$(awk "BEGIN { print int(${x[1]} + 0.5 * ${x[3]}) }")"
-    sleep 0.15
+    move_to "$(awk "BEGIN { print int(${x[0]} + ${2:-0.5} * ${x[2]}) }")" "$(awk "BEGIN { print int(${x[1]} + 0.5 * ${x[3]}) }")"
 }
 
-# The time between is for the window, which looks at the mouse once per frame.
-hold() { xdotool mousedown "${1:-1}" && sleep 0.12; }
-let_go() { xdotool mouseup "${1:-1}" && sleep 0.12; }
+# The window looks at the mouse once per frame, so each change waits for its own.
+button() {
+    local before
+    before=$(inputs button)
+    xdotool "$1" "${2:-1}"
+    answered button "$before" 1
+}
+hold() { button mousedown "$@"; }
+let_go() { button mouseup "$@"; }
 
 click_on() { point_at "$1" && hold && let_go; }
 
@@ -116,7 +161,7 @@ hover() {
     local left top
     left=$(value picture_area.0)
     top=$(value picture_area.1)
-    xdotool mousemove $((${left%.*} + $1)) $((${top%.*} + $2))
+    move_to $((${left%.*} + $1)) $((${top%.*} + $2))
 }
 
 # Writes what is seen of the picture, without the legend's corner at the right, as a PNG file.

@@ -22,10 +22,8 @@ click_on "TRACING/traversal"
 point_at "TRACING/traversal/restart"
 press t
 press h
-sleep 0.5
 [[ $(value settings.traversal) == stack && -n $(value settings.view.map.name) ]] || fail "keys acted behind an open list"
 press Escape
-sleep 0.5
 [[ -z $(place "TRACING/traversal/restart") ]] || fail "Esc did not close the list"
 [[ $(value pinned) != null ]] || fail "Esc for the list released the pixel"
 [[ $(value settings.traversal) == stack ]] || fail "Esc chose something"

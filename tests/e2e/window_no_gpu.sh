@@ -9,7 +9,6 @@ wait_for '^messages.0.error=true$'
 [[ $(value messages.0.text) == *OpenGL\ 4.3* ]] || fail "the line does not say why: $(value messages.0.text)"
 wait_for '^gpu.unavailable=.'
 press v
-sleep 1
 [[ $(value settings.tracer) == cpu ]] || fail "V changed to a GPU that is not there"
 stop_window
 

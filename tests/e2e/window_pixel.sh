@@ -30,7 +30,7 @@ check_pixel 5 5
 # A click pins; the mouse may go elsewhere.
 hover $((width / 2)) $((height / 2))
 wait_for "^hovered.x=$((width / 2))$"
-xdotool click 1
+hold && let_go
 wait_for "^pinned.x=$((width / 2))$"
 tests=$(value pinned.primary.triangle_tests)
 hover 20 30
@@ -44,13 +44,21 @@ wait_for '^pinned=null$'
 # A drag orbits and pins nothing.
 camera_before=$(value counters.primary.interior_first)
 hover $((width / 2)) $((height / 2))
-xdotool mousedown 1
-for step in 1 2 3 4 5 6; do xdotool mousemove_relative -- 12 4; sleep 0.05; done
-xdotool mouseup 1
-sleep 1.5
-wait_for '^frame.scale=1$'
+hold && move_by 6 12 4 && let_go
 [[ $(value counters.primary.interior_first) != "$camera_before" ]] || fail "dragging did not turn the camera"
 [[ $(value pinned) == null ]] || fail "a drag pinned a pixel"
 press r
 wait_for "^counters.primary.interior_first=$camera_before$"
+
+# PIXEL reads the rays of the map, or those chosen there.
+[[ $(value pixel_rays) == primary ]] || fail "reads $(value pixel_rays) rays at first"
+choose "VIEW/rays" shadow
+wait_for '^pixel_rays=shadow$'
+choose "PIXEL/rays" reflection
+wait_for '^pixel_rays=reflection$'
+choose "VIEW/rays" primary
+wait_for '^settings.view.map.rays=primary$'
+[[ $(value pixel_rays) == reflection ]] || fail "the choice went with the map"
+choose "PIXEL/rays" "the map's"
+wait_for '^pixel_rays=primary$'
 echo "passed"

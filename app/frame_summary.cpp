@@ -1,0 +1,45 @@
+#include "app/frame_summary.h"
+
+namespace kd {
+
+namespace {
+
+/// Name and value of each pass that has one.
+template <class Value>
+Json by_pass(const std::array<Value, pass_count>& values) {
+    Json json = Json::object();
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (values[pass] >= 0) json[std::string(pass_names[pass])] = values[pass];
+    return json;
+}
+
+Json counters_json(const Frame& frame, const std::optional<RayCounts>& rays) {
+    const auto totals = pass_totals(frame, rays.value_or(RayCounts{}));
+    Json counters;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        Json& json = counters[json_key(ray_names[pass])] = json_of(totals[pass]);
+        if (!rays) json.erase("rays");
+    }
+    return counters;
+}
+
+}  // namespace
+
+Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
+    Json settings = json_of(s.session);
+    settings["view"] = json_of(s.session.view);
+    return {
+        {"settings", settings},
+        {"scene", json_of(s.scene)},
+        {"tree", json_of(s.stats)},
+        {"renderer", s.renderer},
+        {"software_gl", s.software_gl},
+        {"clock", s.clock},
+        {"ms", {{"build", 1e3 * s.build_seconds}, {"trace", s.time.total_ms}, {"passes", by_pass(s.time.pass_ms)}}},
+        {"shaded_pixels", by_pass(s.time.shaded_pixels)},
+        {"left_out", s.left_out},
+        {"counters", counters_json(s.frame, rays)},
+    };
+}
+
+}  // namespace kd

@@ -1,0 +1,29 @@
+// A traced frame as JSON: what `kdscope render --json` and the window's export both write.
+#pragma once
+
+#include <optional>
+
+#include "app/frame_time.h"
+#include "app/json_values.h"
+
+namespace kd {
+
+/// What is told. The references must live until summary_json() returns.
+struct FrameSummary {
+    const Session& session;
+    const FlatScene& scene;
+    const TreeStats& stats;
+    double build_seconds = 0;
+    const Frame& frame;
+    const FrameTime& time;
+    std::string renderer;
+    bool software_gl = false;
+    std::string clock;
+    const std::vector<std::string>& left_out;
+};
+
+/// Settings, scene, tree, machine, times, and the counters of every pass. `rays` takes as long to count as the frame to
+/// trace; without it the numbers of rays are left out.
+[[nodiscard]] Json summary_json(const FrameSummary& summary, const std::optional<RayCounts>& rays);
+
+}  // namespace kd

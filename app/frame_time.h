@@ -1,0 +1,20 @@
+// What tracing one frame took.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/trace/frame.h"
+
+namespace kd {
+
+/// By the tracer's own clock. `pass_ms` is -1 where passes are not timed apart or did not run, `shaded_pixels` where not
+/// counted.
+struct FrameTime {
+    double total_ms = 0;
+    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
+    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
+    bool complete = true;  // false where stopped
+};
+
+}  // namespace kd
