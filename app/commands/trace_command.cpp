@@ -14,6 +14,7 @@
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
+#include "renderer/scene/units.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -47,6 +48,14 @@ void add_rows(std::string& table, std::string_view algorithm, const std::string&
         for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
         table += fmt::format(",{}\n", counters[i].exit_reason);
     }
+}
+
+/// In scene units. A miss keeps the ray's own tmax, which may not survive the way there and back.
+Hit as_asked(const FlatScene& scene, const Ray& ray, const Hit& hit) {
+    if (scene.exponent == 0) return hit;
+    Hit shown = to_scene_units(scene, hit);
+    if (hit.triangle < 0) shown.t = std::min(ray.t_max, KD_T_LIMIT);
+    return shown;
 }
 
 std::vector<Traversal> wanted_traversals(const TraceOptions& options) {
@@ -97,8 +106,10 @@ int run(const TraceOptions& options, CommandContext& context) {
     constexpr std::size_t rays_per_step = 16384;
     Session session = options.session_for(options.scenes.front());
     if (options.output != "-") check_output("--output", options.output, session.scene);
-    const std::vector<Ray> rays = read_rays_csv(options.rays);
+    const std::vector<Ray> asked = read_rays_csv(options.rays);
     const FlatScene scene = open_scene(options, session);
+    std::vector<Ray> rays;
+    for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
     check_stop(context);
     RayTracers tracers(options, scene, tree, context);
@@ -125,6 +136,7 @@ int run(const TraceOptions& options, CommandContext& context) {
                                                error.what());
                     continue;
                 }
+                for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
                 add_rows(table, info(traversal).name, tracer.name, hits, counters);
             }
     }

@@ -39,9 +39,11 @@ void check(Traversal traversal, const FlatScene& scene, const KdTree& tree, cons
     view.tree = &tree;
     view.boxes = node_boxes(tree);
     int again = 0, interior = 0;
+    TraceConfig config;
+    config.traversal = traversal;
     for (const Ray& ray : rays) {
         SetObserver seen;
-        test_kernel::Kernel<SetObserver, rules> kernel(view, traversal, seen);
+        test_kernel::Kernel<SetObserver, rules> kernel(view, config, seen);
         Hit hit = kernel.no_hit(ray);
         kernel.traverse(ray, false, hit);
         ASSERT_TRUE(seen.consistent) << test::hex(ray);
