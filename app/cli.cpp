@@ -9,6 +9,7 @@
 #include <version.h>
 
 #include "app/assets.h"
+#include "app/closest_name.h"
 #include "app/commands/commands.h"
 #include "app/help_format.h"
 #include "app/session.h"
@@ -42,6 +43,15 @@ std::string scene_list() {
     return help_list("Scenes", entries);
 }
 
+std::string environment_list() {
+    return help_list("Environment", {{"DISPLAY, WAYLAND_DISPLAY", "Where the window opens."},
+                                     {"KDSCOPE_SCALE", "Size of everything in the window, 0.75 to 4."},
+                                     {"KDSCOPE_ASSETS", "Folder searched first for scenes that come with the program."},
+                                     {"KDSCOPE_FONTS", "Folder searched first for fonts."},
+                                     {"KD_SHADER_DIR", "Folder to read shaders from, instead of those built in."},
+                                     {"KD_GL_DEBUG", "1: Errors of OpenGL come with the driver's own words."}});
+}
+
 constexpr std::string_view examples = "Examples:\n"
                                       "  kdscope ball:9000\n"
                                       "  kdscope render rooms -o rooms.png --map nodes --size 800x600\n"
@@ -61,14 +71,30 @@ void supply_command(std::vector<std::string>& arguments) {
         return;
     if (!arguments.empty() && !first.starts_with('-') && !names_scene(first)) {
         std::string known;
-        for (const Command& command : commands()) known += fmt::format("{}{}", known.empty() ? "" : ", ", command.name);
+        std::vector<std::string> meant = scenes_like(first);
+        for (const Command& command : commands()) {
+            known += fmt::format("{}{}", known.empty() ? "" : ", ", command.name);
+            meant.emplace_back(command.name);
+        }
         std::string scenes;
         for (const ProceduralScene& scene : procedural_scenes())
             scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", scene.name);
-        throw UsageError(fmt::format("'{}' is neither a command ({}) nor a scene ({}, or a .gltf or .glb file)",
-                                     printable(first), known, scenes));
+        throw UsageError(fmt::format("'{}' is neither a command ({}) nor a scene ({}, or a .gltf or .glb file){}",
+                                     printable(first), known, scenes, did_you_mean(first, meant)));
     }
     arguments.insert(arguments.begin(), "view");
+}
+
+/// What `command` could not place, in one line.
+std::string unexpected(const CLI::App& command) {
+    const std::vector<std::string> extras = command.remaining();
+    const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+    if (option == extras.end()) return fmt::format("unexpected argument '{}'", extras.empty() ? "" : extras.front());
+    const std::string given = option->substr(0, option->find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* each : command.get_options())
+        for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+    return fmt::format("unknown option {}{}", given, did_you_mean(given, known));
 }
 
 int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
@@ -76,16 +102,17 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
     CLI::App app("kdscope shows what a ray tracer's kd-tree costs, pixel by pixel.", "kdscope");
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_version_flag("--version", fmt::format("kdscope {} ({})", build::version, build::commit));
-    app.footer(fmt::format("{}\n{}\nWithout a command, `kdscope SCENE` opens the window. "
+    app.footer(fmt::format("{}\n{}\n{}\nWithout a command, `kdscope SCENE` opens the window. "
                            "`kdscope COMMAND --help` tells more.\n{}",
-                           scene_list(), examples, exit_codes));
+                           scene_list(), environment_list(), examples, exit_codes));
     app.require_subcommand(1);
     CommandBody body;
     for (const Command& command : commands()) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
         sub->group("Commands");
-        sub->footer(fmt::format("{}\n{}", scene_list(), command.examples));
         const CommandBody run = command.declare(*sub);
+        const bool takes_scene = sub->get_option_no_throw("SCENE") != nullptr;
+        sub->footer((takes_scene ? scene_list() + "\n" : "") + command.examples);
         sub->callback([&body, run] { body = run; });
     }
     std::ranges::reverse(arguments);  // as CLI11 wants them
@@ -95,8 +122,12 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
         return app.exit(success, context.out, context.err);
     } catch (const CLI::ParseError& error) {
         const auto chosen = app.get_subcommands();
-        throw UsageError(fmt::format("{} (see kdscope {}--help)", printable(error.what(), 1000),
-                                     chosen.empty() ? "" : chosen.front()->get_name() + " "));
+        const CLI::App& command = chosen.empty() ? app : *chosen.front();
+        // A mistyped name first: what it leaves missing is only its consequence.
+        const bool unknown = !command.remaining().empty();
+        throw UsageError(fmt::format("{} (see kdscope {}--help)",
+                                     printable(unknown ? unexpected(command) : error.what(), 1000),
+                                     chosen.empty() ? "" : command.get_name() + " "));
     }
     return body(context);
 }

@@ -24,9 +24,32 @@ std::vector<NamedValue<std::string>> builder_names() {
     return names;
 }
 
+/// Mirrors, shadows, how leaves are stored and how pixels are culled.
+void add_shading_options(CLI::App& app, CommonOptions& o) {
+    TraceConfig& trace = o.session.trace;
+    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
+                                                   {"duplicated", LeafLists::duplicated}};
+    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
+    std::vector<CLI::Option*> all{
+        add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
+                   "Leaves hold triangle numbers or vertex copies [references]"),
+        add_choice(app, "--early-z", o.session.early_z, culling,
+                   "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
+        app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
+        add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
+                        fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
+        add_number<float>(
+            app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
+            fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
+    };
+    for (CLI::Option* option : all) option->group("Tracing");
+}
+
 }  // namespace
 
 std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ? "cpu" : "gl-fragment"; }
+
+std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "working" : "as-published"; }
 
 std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
 
@@ -54,12 +77,12 @@ void add_scenes(CLI::App& app, CommonOptions& options) {
     app.add_option("SCENE", options.scenes, "Scenes by name, or .gltf or .glb files")->required()->type_name("");
 }
 
-void add_tree_options(CLI::App& app, CommonOptions& o) {
+void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
     BuildConfig& build = o.session.build;
     const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
     std::vector<CLI::Option*> all{
         add_choice<std::string>(app, "--builder", o.builder, builder_names(),
-                                text("How the tree is built", build.builder)),
+                                text("How the tree is built", defaults.builder)),
         add_number<float>(app, "--traversal-cost", build.traversal_cost, 0.0f, 1e6f,
                           text("Cost t_t of visiting an interior node", build.traversal_cost)),
         add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
@@ -77,48 +100,30 @@ void add_tree_options(CLI::App& app, CommonOptions& o) {
                         text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
                           text("Most leaf references per triangle", build.reference_cap)),
-        app.add_flag(
-            "!--box-leaves", build.trim_leaves,
+        app.add_flag_callback(
+            "--box-leaves", [&build] { build.trim_leaves = false; },
             "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
     };
     for (CLI::Option* option : all) option->group("Tree");
 }
 
-void add_tracing_options(CLI::App& app, CommonOptions& o) {
+void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
     const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu},
                                                       {"gl-fragment", TracerKind::gl_fragment}};
     const std::vector<NamedValue<ContextKind>> contexts{
         {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
     std::vector<NamedValue<Rules>> rules;
     for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
-    add_choice(app, "--traversal", o.traversal, traversal_names(), "How rays walk the tree [stack]")->group("Tracing");
-    add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]")
-        ->group("Tracing");
-    add_choice(app, "--tracer", o.tracer, tracers, "What traces: the CPU, or GLSL fragment passes [cpu]")
-        ->group("Tracing");
-    add_choice(app, "--context", o.context, contexts, "Where OpenGL comes from [auto]")->group("Tracing");
-}
-
-void add_shading_options(CLI::App& app, CommonOptions& o) {
-    TraceConfig& trace = o.session.trace;
-    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
-                                                   {"duplicated", LeafLists::duplicated}};
-    add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
-               "Leaves hold triangle numbers or vertex copies [references]")
-        ->group("Tracing");
-    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
-    add_choice(app, "--early-z", o.early_z, culling,
-               "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]")
-        ->group("Tracing");
-    app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
-        ->group("Tracing");
-    app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
-    add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
-                    fmt::format("Mirror bounces [{}]", trace.reflection_depth))
-        ->group("Tracing");
-    add_number<float>(app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
-                      fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution))
-        ->group("Tracing");
+    const auto text = [](const char* what, std::string_view value) { return fmt::format("{} [{}]", what, value); };
+    std::vector<CLI::Option*> all{
+        add_choice(app, "--traversal", o.traversal, traversal_names(),
+                   text("How rays walk the tree", defaults.traversal)),
+        add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]"),
+        add_choice(app, "--tracer", o.tracer, tracers,
+                   text("What traces: the CPU, or GLSL fragment passes", defaults.tracer)),
+        add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),
+    };
+    for (CLI::Option* option : all) option->group("Tracing");
 }
 
 void add_camera_options(CLI::App& app, CommonOptions& o) {
@@ -155,6 +160,24 @@ void add_machine_options(CLI::App& app, CommonOptions& o) {
     add_number<int>(app, "--threads", o.session.threads, 0, 4096, "CPU threads; 0 is all [0]");
     add_number<unsigned>(app, "--seed", o.session.seed, 0u, 4294967295u,
                          fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
+}
+
+void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults) {
+    add_size_option(app, options);
+    add_machine_options(app, options);
+    add_tracing_options(app, options, defaults);
+    add_shading_options(app, options);
+    add_tree_options(app, options, defaults);
+}
+
+void hide_options(CLI::App& app, const std::vector<std::string>& names) {
+    for (const std::string& name : names) app.get_option(name)->group("");
+}
+
+void require_context(const CommonOptions& options, bool uses_all) {
+    const bool by_tracer = options.tracer == TracerKind::gl_fragment;
+    const bool by_context = uses_all && !options.tracer && options.context;
+    if (by_tracer || by_context) (void)Context::create(options.context.value_or(ContextKind::automatic));
 }
 
 FlatScene open_scene(const CommonOptions& options, Session& session) {

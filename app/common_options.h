@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/session.h"
@@ -13,6 +14,11 @@ class App;
 }
 
 namespace kd {
+
+/// What help names as the default of an option where its absence means different things to different commands.
+struct ShownDefaults {
+    std::string_view builder = "paper", traversal = "stack", tracer = "cpu", context = "auto";
+};
 
 /// Parts of the scene's camera that are replaced.
 struct CameraOptions {
@@ -28,7 +34,6 @@ struct CommonOptions {
     std::optional<TracerKind> tracer;
     std::optional<std::string> builder;
     std::optional<ContextKind> context;
-    EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
     bool no_shadows = false;
 
@@ -38,19 +43,28 @@ struct CommonOptions {
 
 void add_one_scene(CLI::App& app, CommonOptions& options, bool required);
 void add_scenes(CLI::App& app, CommonOptions& options);
-void add_tree_options(CLI::App& app, CommonOptions& options);
-void add_tracing_options(CLI::App& app, CommonOptions& options);
-void add_shading_options(CLI::App& app, CommonOptions& options);
-void add_camera_options(CLI::App& app, CommonOptions& options);
 void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
+void add_tracing_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+void add_camera_options(CLI::App& app, CommonOptions& options);
+/// All that a traced frame depends on but the camera: size, machine, tracing, shading, tree.
+void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+
+/// Options that every command takes, for the sake of scripts, but that do nothing in this one: help does not list them.
+void hide_options(CLI::App& app, const std::vector<std::string>& names);
 
 /// Loads the scene of `session` and gives it the camera asked for. The session gets a camera where one was asked for.
 /// InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);
 
+/// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.
+/// `uses_all` where a command runs every tracer unless one is named. ContextError.
+void require_context(const CommonOptions& options, bool uses_all);
+
 /// "cpu", "gl-fragment".
 [[nodiscard]] std::string_view name_of(TracerKind tracer);
 [[nodiscard]] std::string_view name_of(LeafLists lists);
+[[nodiscard]] std::string_view name_of(EarlyZ early_z);
 
 }  // namespace kd

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/engine_ray_cells.h"
-
 namespace kd {
 
 namespace {
@@ -18,8 +16,8 @@ bool has_pixels(const Session& session) {
 
 /// Whether two sessions that agree in scene and tree need different frames.
 bool same_frame(const Session& a, const Session& b) {
-    return a.trace == b.trace && a.tracer == b.tracer && a.camera == b.camera && a.width == b.width &&
-           a.height == b.height && a.threads == b.threads;
+    return a.trace == b.trace && a.tracer == b.tracer && a.early_z == b.early_z && a.camera == b.camera &&
+           a.width == b.width && a.height == b.height && a.threads == b.threads;
 }
 
 }  // namespace
@@ -116,8 +114,11 @@ void Engine::read_probes() {
     if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
     if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
     const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
-    if (probe && state_.session.view.overlay.show)
-        state_.ray_cells = ray_cells(shown, *probe, state_.session.width, state_.session.height);
+    if (!probe || !state_.session.view.overlay.show) return;
+    const int width = state_.session.width;
+    const int height = state_.session.height;
+    state_.ray_cells = ray_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe->pixel.x,
+                                 probe->pixel.y, probe->primary().hit);
 }
 
 }  // namespace kd

@@ -71,7 +71,6 @@ class Engine {
     void receive(const DuelReply& reply);
     void stop_duel();
     void read_probes();
-    void trace_ray_cells();
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
 

@@ -24,10 +24,10 @@ void DuelState::add(const DuelRound& round) {
     gl = summary_of(rounds, [](const DuelRound& r) { return r.gl_ms; });
     for (std::size_t pass = 0; pass < pass_count; ++pass)
         passes[pass] = summary_of(rounds, [&](const DuelRound& r) { return r.pass_ms[pass]; });
-}
-
-double DuelState::ratio() const {
-    return cpu.samples > 0 && gl.samples > 0 && gl.median_ms > 0 ? cpu.median_ms / gl.median_ms : 0;
+    // Both of a round met the same machine, whatever else it did.
+    const TimeSummary s =
+        summary_of(rounds, [](const DuelRound& r) { return r.cpu_ms > 0 && r.gl_ms > 0 ? r.cpu_ms / r.gl_ms : -1; });
+    ratio = {s.median_ms, s.p25_ms, s.p75_ms, s.samples};
 }
 
 }  // namespace kd

@@ -18,12 +18,20 @@ struct DuelRound {
     std::array<double, pass_count> pass_ms{-1, -1, -1, -1};  // of gl_ms
 };
 
+/// Median and middle half of some numbers.
+struct Spread {
+    double median = 0, p25 = 0, p75 = 0;
+    int samples = 0;
+};
+
 struct DuelState {
     int width = 0, height = 0;     // of the frame timed
+    int scale = 1;                 // 1 = as large as the picture, 2 = half of it along each side
     std::int64_t rays = 0;         // that one frame traces, all passes
     std::deque<DuelRound> rounds;  // newest last, all of the same frame
     TimeSummary cpu, gl;
     std::array<TimeSummary, pass_count> passes;
+    Spread ratio;  // CPU time over GPU time, round by round
     std::string cpu_clock, gl_clock;
     Traversal traversal = Traversal::stack;  // of the frame timed
     bool outdated = true;                    // the rounds are of a frame that is no longer shown
@@ -31,8 +39,9 @@ struct DuelState {
 
     /// Drops the oldest beyond `history` rounds and summarises again.
     void add(const DuelRound& round);
-    /// CPU time over GPU time; above 1 the GPU is faster. 0 where one is missing.
-    [[nodiscard]] double ratio() const;
+    /// Enough rounds of both machines to say who is faster.
+    [[nodiscard]] bool decided() const { return ratio.samples >= least_rounds; }
+    static constexpr int least_rounds = 3;
     static constexpr std::size_t history = 60;
 };
 

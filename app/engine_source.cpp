@@ -49,7 +49,7 @@ class GlSource final : public FrameSource {
             tracer_.upload(task.world->scene(), task.world->tree);
             world_ = task.world;
         }
-        tracer_.prepare({.trace = task.config}, width, height);
+        tracer_.prepare(complete(task), width, height);
     }
 
     SourceTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
@@ -62,8 +62,7 @@ class GlSource final : public FrameSource {
                 return time;
             }
             const Tile band{0, y, frame.width, std::min(y + rows_, frame.height)};
-            const GlFrameReport report =
-                tracer_.draw({.trace = task.config}, task.camera, frame.width, frame.height, band);
+            const GlFrameReport report = tracer_.draw(complete(task), task.camera, frame.width, frame.height, band);
             add(report, time);
             adapt(report.total_ms / double(band.y1 - band.y0));
             y = band.y1;
@@ -78,11 +77,20 @@ class GlSource final : public FrameSource {
   private:
     static constexpr double band_ms = 10;
 
+    /// What is not counted for the maps is timed, and counts no shaded pixels either.
+    static GlTraceConfig complete(const FrameTask& task) {
+        return {.trace = task.config, .early_z = task.early_z, .count_shaded = task.config.counters};
+    }
+
     void add(const GlFrameReport& report, SourceTime& time) {
         clock_ = report.clock;
         time.total_ms += report.total_ms;
-        for (std::size_t pass = 0; pass < pass_count; ++pass)
+        for (std::size_t pass = 0; pass < pass_count; ++pass) {
             if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+            std::int64_t& shaded = time.shaded_pixels[pass];
+            if (report.shaded_pixels[pass] >= 0)
+                shaded = std::max(shaded, std::int64_t(0)) + report.shaded_pixels[pass];
+        }
     }
 
     /// Rows per band for about `band_ms`, in steps of at most four so that one odd band does not decide.

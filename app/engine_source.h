@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -9,6 +10,7 @@
 
 #include "app/engine_world.h"
 #include "renderer/gl/context.h"
+#include "renderer/gl/gl_tracer.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/trace_config.h"
 
@@ -18,15 +20,17 @@ namespace kd {
 struct SourceTime {
     double total_ms = 0;
     std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
-    bool complete = true;  // false where stopped
+    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};  // -1: not counted, or did not run
+    bool complete = true;                                                // false where stopped
 };
 
-/// What is traced, on how many threads (0 = all; the GPU does not care).
+/// What is traced, on how many threads (0 = all; for the CPU alone), and how pixels are culled (for the GPU alone).
 struct FrameTask {
     std::shared_ptr<const World> world;
     TraceConfig config;
     PinholeCamera camera;
     int threads = 0;
+    EarlyZ early_z = EarlyZ::working;
 };
 
 class FrameSource {

@@ -133,8 +133,9 @@ TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
     // A frame of a tree that is about to be replaced is shown, but answers nothing.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
-    return {state_.world, s.trace,  s.tracer,  camera_in_use(),
-            s.width,      s.height, s.threads, current ? state_.generation : 0};
+    return {state_.world,    s.trace,   s.tracer,
+            camera_in_use(), s.width,   s.height,
+            s.threads,       s.early_z, current ? state_.generation : 0};
 }
 
 void Engine::start_trace() {
@@ -259,6 +260,7 @@ void Engine::receive(const DuelReply& reply) {
     }
     duel.width = reply.width;
     duel.height = reply.height;
+    duel.scale = reply.scale;
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;

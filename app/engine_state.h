@@ -1,6 +1,7 @@
 // What the engine knows at this moment. Panels read it; nothing in it changes while they do.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,7 +27,8 @@ struct TracedFrame {
     int scale = 1;            // 1 = every pixel of the picture, 8 = one of 8x8: a preview
     double milliseconds = 0;  // of tracing alone
     std::vector<std::string> left_out;
-    std::uint64_t generation = 0;  // EngineState::generation that it answers
+    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};  // by the GPU's passes; -1 = none
+    std::uint64_t generation = 0;                                        // EngineState::generation that it answers
 };
 
 /// What the colours of a map mean.
@@ -69,12 +71,6 @@ struct GlStatus {
     [[nodiscard]] bool available() const { return known && unavailable.empty(); }
 };
 
-/// Two ends of a line over the picture, in pixels of Session::width x height, with the depth of its node.
-struct ScreenLine {
-    float x0, y0, x1, y1;
-    int depth;
-};
-
 struct EngineState {
     Session session;                         // what was asked for, corrected where it could not be had
     std::uint64_t generation = 0;            // grows with every change of the session that changes the picture
@@ -86,8 +82,8 @@ struct EngineState {
     GlStatus gl;
     DuelState duel;
     std::optional<PixelReading> hovered, pinned;
-    std::vector<ScreenLine>
-        ray_cells;                  // cells that the ray of the pinned or hovered pixel meets, while splits are shown
+    /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
+    std::vector<ScreenLine> ray_cells;
     std::vector<Message> messages;  // newest last
     double last_build_ms = 0;
 

@@ -15,6 +15,11 @@ namespace {
 /// A duel's frame is made smaller until the CPU is predicted to need no more than this.
 constexpr double longest_duel_frame_ms = 500;
 
+FrameTask task_of(const TraceRequest& request) {
+    return {request.world, request.config, pinhole(request.camera, request.width, request.height), request.threads,
+            request.early_z};
+}
+
 }  // namespace
 
 const GlStatus& Tracing::open() {
@@ -44,7 +49,8 @@ FrameSource& Tracing::source(TracerKind kind) {
 
 void Tracing::forget_speed_of_others(const TraceRequest& request) {
     const bool same = planned_for_.world == request.world && planned_for_.config == request.config &&
-                      planned_for_.tracer == request.tracer && planned_for_.threads == request.threads;
+                      planned_for_.tracer == request.tracer && planned_for_.threads == request.threads &&
+                      planned_for_.early_z == request.early_z;
     if (!same) plan_.reset();
     planned_for_ = request;
 }
@@ -53,8 +59,7 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
                     const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress) {
     forget_speed_of_others(request);
     FrameSource& machine = source(request.tracer);
-    const FrameTask task{request.world, request.config, pinhole(request.camera, request.width, request.height),
-                         request.threads};
+    const FrameTask task = task_of(request);
     const SceneNeeds needs = scene_needs(request.world->scene(), request.config);
     const std::vector<std::string> omitted = left_out(needs, request.world->scene(), request.config);
 
@@ -74,7 +79,7 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
         publish({request.world, frame, request.camera, request.config, request.tracer, scale, time.total_ms, omitted,
-                 request.generation});
+                 time.shaded_pixels, request.generation});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }
@@ -85,10 +90,10 @@ std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::s
            plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
         scale *= 2;
     DuelReply reply;
+    reply.scale = scale;
     reply.width = scaled_size(request.width, scale);
     reply.height = scaled_size(request.height, scale);
-    FrameTask task{request.world, request.config, pinhole(request.camera, request.width, request.height),
-                   request.threads};
+    FrameTask task = task_of(request);
     if (counted_for_.generation != request.generation || counted_for_.width != reply.width) {
         const RayCounts counts = count_rays(request.world->scene(), request.world->tree, task.config, task.camera,
                                             reply.width, reply.height);

@@ -23,6 +23,7 @@ struct TraceRequest {
     Camera camera;
     int width = 0, height = 0;
     int threads = 0;
+    EarlyZ early_z = EarlyZ::working;
     std::uint64_t generation = 0;
 };
 
@@ -30,6 +31,7 @@ struct TraceRequest {
 struct DuelReply {
     DuelRound round;
     int width = 0, height = 0;
+    int scale = 1;
     std::int64_t rays = 0;
     std::string cpu_clock, gl_clock;
 };

@@ -4,7 +4,7 @@ namespace kd {
 
 namespace {
 
-constexpr std::size_t text_column = 30;
+constexpr std::size_t text_column = 33;
 constexpr std::size_t last_column = 100;
 
 /// `name` at the left, `text` from the text column on, in as many lines as it needs.

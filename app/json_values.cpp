@@ -67,6 +67,7 @@ Json json_of(const Session& s) {
               {"width", s.width},
               {"height", s.height},
               {"tracer", name_of(s.tracer)},
+              {"early_z", name_of(s.early_z)},
               {"traversal", info(s.trace.traversal).name},
               {"rules", info(s.trace.rules).name},
               {"leaf_lists", name_of(s.trace.leaf_lists)},

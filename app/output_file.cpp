@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
+#include <stdlib.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -16,37 +17,72 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(std::string_view option, const std::string& path, const std::string& reason) {
-    throw InputError(fmt::format("{}: cannot write '{}': {}", option, printable(path, 1000), reason));
+std::string shown(const fs::path& path) { return printable(path.string(), 1000); }
+
+[[noreturn]] void fail(const OutputFile& output, const std::string& reason) {
+    throw InputError(fmt::format("{}: cannot write '{}': {}", output.option, shown(output.path), reason));
 }
 
-}  // namespace
+/// 0, or the errno that making a file in `folder` gives. Permissions alone do not tell: a folder may be on /proc, or on
+/// a medium that is read-only or full.
+int try_to_make_file(const fs::path& folder) {
+    constexpr std::string_view suffix = ".tmp";
+    std::string name = (folder / ".kdscope-XXXXXX").string() + std::string(suffix);
+    const int file = ::mkstemps(name.data(), int(suffix.size()));
+    if (file < 0) return errno;
+    ::close(file);
+    ::unlink(name.c_str());
+    return 0;
+}
 
-void check_output(std::string_view option, const std::string& path, const std::string& scene) {
-    if (path.empty()) return;
+bool is_device(const fs::path& file) {
     std::error_code error;
-    const fs::path file(path);
-    if (fs::is_directory(file, error)) fail(option, path, "it is a directory; name a file in it");
-    if (!scene.empty() && fs::equivalent(file, scene, error) && !error)
-        fail(option, path, "it is the scene's own file; choose another name");
-    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-        if (::access(file.c_str(), W_OK) != 0) fail(option, path, std::strerror(errno));
+    return fs::exists(file, error) && !fs::is_regular_file(file, error);
+}
+
+void check_place(const OutputFile& output) {
+    std::error_code error;
+    const fs::path file(output.path);
+    if (fs::is_directory(file, error)) fail(output, "it is a directory; name a file in it");
+    if (is_device(file)) {
+        if (::access(file.c_str(), W_OK) != 0) fail(output, std::strerror(errno));
         return;
     }
     // What is written is a new file in the folder, renamed when it is whole.
     const fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
     const fs::path folder = real.has_parent_path() ? real.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error))
-        fail(option, path, fmt::format("there is no folder '{}'; make it first", printable(folder.string(), 1000)));
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        fail(option, path, fmt::format("folder '{}': {}", printable(folder.string(), 1000), std::strerror(errno)));
+        fail(output, fmt::format("there is no folder '{}'; make it first", shown(folder)));
+    if (::access(real.c_str(), F_OK) != 0 && errno == ENAMETOOLONG) fail(output, "the name is too long");
+    if (const int number = try_to_make_file(folder); number != 0)
+        fail(output, fmt::format("no file can be made in '{}' ({}); choose another folder", shown(folder),
+                                 std::strerror(number)));
 }
 
-void check_output(std::string_view option, const std::string& path, const std::string& scene,
-                  std::string_view extension) {
-    if (!path.ends_with(extension))
-        throw InputError(fmt::format("{}: '{}' does not end in {}", option, printable(path, 1000), extension));
-    check_output(option, path, scene);
+/// Two names of one file, whether or not it exists yet.
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return fs::weakly_canonical(fs::absolute(a, error), error) == fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs) {
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        if (output->path.empty()) continue;
+        if (!output->path.ends_with(output->extension))
+            throw InputError(fmt::format("{}: '{}' does not end in {}; give it that ending", output->option,
+                                         shown(output->path), output->extension));
+        check_place(*output);
+        if (is_device(output->path)) continue;
+        for (const InputFile& input : inputs)
+            if (same_file(output->path, input.path))
+                fail(*output, fmt::format("it is {}; choose another name", input.what));
+        for (auto earlier = outputs.begin(); earlier != output; ++earlier)
+            if (!earlier->path.empty() && same_file(output->path, earlier->path))
+                fail(*output, fmt::format("{} writes it too; choose another name", earlier->option));
+    }
 }
 
 }  // namespace kd

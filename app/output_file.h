@@ -3,15 +3,25 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kd {
 
-/// InputError naming `option` where a file cannot be written at `path`, or where that is the scene's own file. An empty
-/// path is good: nothing will be written.
-void check_output(std::string_view option, const std::string& path, const std::string& scene);
+/// A file that a command is going to write. An empty path is good: nothing will be written.
+struct OutputFile {
+    std::string_view option;  // that named it, for errors
+    std::string path;
+    std::string_view extension = {};  // that it must have, ".png"
+};
 
-/// As check_output, and the name must end in `extension` (".png").
-void check_output(std::string_view option, const std::string& path, const std::string& scene,
-                  std::string_view extension);
+/// A file that a command reads, and must not write over.
+struct InputFile {
+    std::string_view what;  // "the scene's own file"
+    std::string path;       // may be no file at all
+};
+
+/// InputError naming the option where a file cannot be written, is one of `inputs`, or is written twice. Tries each
+/// folder by making a file in it and removing that again; what stands there already is left alone.
+void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs);
 
 }  // namespace kd

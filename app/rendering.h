@@ -6,8 +6,8 @@
 
 #include "app/command.h"
 #include "app/common_options.h"
+#include "app/figure_text.h"
 #include "app/frame_tracer.h"
-#include "renderer/io/png.h"
 #include "renderer/kdtree/stats.h"
 #include "viz/text.h"
 
@@ -29,11 +29,8 @@ struct Rendering {
 /// Loads, builds and traces with progress on the context's terminal. InputError, ContextError, Interrupted.
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
 
-/// "Interior nodes visited, primary rays", or the scene's name where no map is shown.
-[[nodiscard]] std::string title_of(const Rendering& rendering, const ViewConfig& view);
-
-/// Scene, configuration, renderer and time in one line.
-[[nodiscard]] std::string caption_of(const Rendering& rendering);
+/// What its figures' captions tell.
+[[nodiscard]] FigureFacts facts_of(const Rendering& rendering);
 
 /// Writes what `view` shows: the bare picture, or with `legend` the figure with title, legend and caption. The settings
 /// stand in the file's text. InputError.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/assets.h"
+#include "app/closest_name.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/gltf.h"
 #include "renderer/io/printable.h"
@@ -39,8 +40,8 @@ fs::path scene_file(const std::string& name) {
     if (!given.has_parent_path() && names_gltf(given))
         if (const auto shipped = find_asset("scenes/" + name)) return *shipped;
     throw InputError(
-        fmt::format("scene '{}': no such file, and no scene of this name; known: {}, or a .gltf or .glb file",
-                    printable(name), known_scenes()));
+        fmt::format("scene '{}': no such file, and no scene of this name{}; known: {}, or a .gltf or .glb file",
+                    printable(name), did_you_mean(name, scenes_like(name)), known_scenes()));
 }
 
 }  // namespace
@@ -52,6 +53,15 @@ FlatScene load_scene(const std::string& name, unsigned seed) {
         throw InputError(
             fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));
     return flatten(load_gltf(file));
+}
+
+std::vector<std::string> scenes_like(const std::string& name) {
+    const std::string size = name.substr(std::min(name.find(':'), name.size()));
+    std::vector<std::string> names;
+    for (const ProceduralScene& scene : procedural_scenes())
+        names.push_back(std::string(scene.name) + (scene.default_size > 0 ? size : ""));
+    for (const fs::path& file : shipped_scenes()) names.push_back(file.filename().string());
+    return names;
 }
 
 bool names_scene(const std::string& name) {

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "renderer/gl/gl_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/trace_config.h"
@@ -20,7 +22,8 @@ struct Session {
     BuildConfig build;
     TraceConfig trace;
     TracerKind tracer = TracerKind::cpu;
-    std::optional<Camera> camera;  // the scene's own where absent
+    EarlyZ early_z = EarlyZ::working;  // of the four passes
+    std::optional<Camera> camera;      // the scene's own where absent
     ViewConfig view;
     int width = 512, height = 512;
     int threads = 0;  // 0 = all
@@ -31,6 +34,9 @@ struct Session {
 /// A procedural scene ("ball:9000"), a .gltf or .glb file, or the name of a scene that comes with the program.
 /// InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
+
+/// Every scene that there is by name, to find the one meant by a mistyped `name`: "ball:900" for "baal:900".
+[[nodiscard]] std::vector<std::string> scenes_like(const std::string& name);
 
 /// True where `name` reads like a scene, whether or not it can be loaded.
 [[nodiscard]] bool names_scene(const std::string& name);

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "app/closest_name.h"
 #include "renderer/geometry/shared_types.h"
 
 namespace kd {
@@ -71,7 +72,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, Target& target, 
                 target = choice.value;
                 return;
             }
-        refuse(fmt::format("unknown value '{}'; known: {}", given, list_names(choices)));
+        std::vector<std::string> names;
+        for (const NamedValue<T>& choice : choices) names.push_back(choice.name);
+        refuse(fmt::format("unknown value '{}'{}; known: {}", given, did_you_mean(given, names), list_names(choices)));
     });
 }
 

@@ -1,70 +1,146 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/window.md: the window at 1280x720 on a virtual screen, each part of it in use.
+# Makes the pictures of docs/window.md: the window at 1280x720, and every panel in use at 1920x1080.
 #
 #   docs/screenshots.sh [kdscope] [folder]
-set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-kdscope=${1:-$root/build/release/kdscope}
-folder=${2:-$root/docs/images}
+KDSCOPE=$(realpath -- "${1:-$root/build/release/kdscope}")
+folder=$(realpath -m -- "${2:-$root/docs/images}")
+export KDSCOPE
 
 if [[ -z ${KD_INSIDE_XVFB:-} ]]; then
-    export KD_INSIDE_XVFB=1
-    exec xvfb-run -a -s "-screen 0 1280x720x24" bash "$0" "$kdscope" "$folder"
+    mkdir -p "$folder"
+    for SCREEN in 1280x720 1920x1080; do
+        export KD_INSIDE_XVFB=1 SCREEN
+        xvfb-run -a -s "-screen 0 ${SCREEN}x24" bash "$0" "$KDSCOPE" "$folder" || exit 1
+    done
+    exit 0
 fi
 
-scratch=$(mktemp -d)
-mkdir -p "$folder"
-cd /tmp  # stands in the export panel
-export XDG_CONFIG_HOME=$scratch KDSCOPE_STATE_FILE=$scratch/state.json
-pid=
-trap '[[ -n $pid ]] && kill $pid 2>/dev/null; rm -rf "$scratch"' EXIT
+scratch=$(mktemp -d) && cd "$scratch" || exit 1
+source "$root/tests/e2e/window_helpers.bash"
+trap 'stop_window; rm -rf "$scratch"' EXIT
+export KDSCOPE_EXIT_AFTER_S=600 HOME=$PWD/home
+mkdir -p home/figures && cd home/figures || exit 1  # the folder that EXPORT shows
 
 open() {
-    rm -f "$KDSCOPE_STATE_FILE"
-    "$kdscope" "$@" &
-    pid=$!
-    until [[ -f $KDSCOPE_STATE_FILE ]]; do sleep 0.1; done
-    window=$(xdotool search --name '^kdscope$' | tail -1)
-    xdotool windowmove "$window" 0 0 windowsize "$window" 1280 720 windowfocus "$window" 2>/dev/null || true
+    start_window "$@"
+    xdotool windowsize "$window" "${SCREEN%x*}" "${SCREEN#*x}"
     sleep 1.5
 }
-close() {
-    kill "$pid" && wait "$pid" || true
-    pid=
-}
-press() {
+press_all() {
     for key in "$@"; do
-        xdotool key "$key"
+        press "$key"
         sleep 0.5
     done
 }
+# The large pictures are of few colours, which makes them small files.
 shoot() {
     sleep "${2:-2}"
-    import -window root -strip "$folder/$1.png"
+    import -window root shot.png
+    if [[ $SCREEN == 1280x720 ]]; then
+        convert shot.png -strip "$folder/$1.png"
+    else
+        convert shot.png -strip +dither -colors 255 "PNG8:$folder/$1.png"
+    fi
+    rm shot.png
     echo "$folder/$1.png"
 }
+# Clicks on what makes other things move, each time until the window rests and says where they are.
+open_or_close() {
+    for label in "$@"; do
+        sleep 3
+        click_on "$label"
+    done
+    sleep 3
+}
+rounds() { wait_for "^duel.rounds=(${1}[0-9]|[1-9][0-9][0-9])\$" 120; }
 
-open ball:9000
-xdotool mousemove 560 330
-shoot window 14  # time for some rounds of CPU against GPU
+small_pictures() {
+    open ball:9000
+    xdotool mousemove 560 330
+    rounds 1
+    shoot window
+    press_all t
+    xdotool click 1
+    sleep 1
+    rounds 1
+    shoot restart
+    press_all d
+    shoot divergence
+    press_all h h s bracketleft
+    shoot splits
+    press_all Escape F1
+    shoot help
+    press_all Escape s v
+    sleep 1
+    rounds 1
+    shoot gpu
+    stop_window
 
-press t
-xdotool click 1
-shoot restart 10
-press d
-shoot divergence
-press h h s bracketleft
-shoot splits
-press Escape F1
-shoot help
-press Escape s v
-shoot gpu 12
-close
+    open rooms --traversal backtrack
+    press_all s
+    xdotool mousemove 700 250 click 1
+    rounds 1
+    shoot rooms
+    press_all u
+    shoot picture-alone 4
+    stop_window
+}
 
-open rooms --traversal backtrack
-press s
-xdotool mousemove 700 250 click 1
-shoot rooms 8
-press u
-shoot picture-alone 4
-close
+panel_pictures() {
+    open scatter:10000
+    drag_slider "SCENE/seed" 0.05 0.2
+    shoot panel-scene 3
+    stop_window
+
+    open ball:9000
+    open_or_close "TREE/more constants"
+    drag_slider "TREE/empty bonus (b_e)" 0.22 0.8
+    press_all s bracketright bracketright
+    point_at "TREE/empty bonus (b_e)" 0.8
+    shoot panel-tree 3
+    open_or_close "TREE/default" "TREE/more constants"
+
+    press_all s v
+    open_or_close "TREE/statistics" "TRACING/passes and rules"
+    choose "TRACING/early z" "as published"
+    point_at "TRACING/early z"
+    shoot panel-tracing 4
+    choose "TRACING/early z" working
+    open_or_close "TRACING/passes and rules"
+    press_all v
+    sleep 3
+
+    choose "top/map" triangles
+    press_all s g c l
+    open_or_close "VIEW/split lines"
+    point_at "VIEW/range"
+    shoot panel-view 3
+    choose "VIEW/colours" viridis
+    choose "top/map" nodes
+    press_all n g bracketleft bracketleft bracketleft
+
+    hover 520 560
+    sleep 0.5
+    xdotool click 1
+    sleep 0.5
+    press_all Right Right
+    shoot panel-pixel 3
+
+    press_all Escape s
+    click_on "EXPORT/figure"
+    wait_for '^last_export=.*png$'
+    click_on "EXPORT/CSV"
+    wait_for '^last_export=.*csv$'
+    shoot panel-export
+    stop_window
+
+    open ball:9000 --traversal restart
+    sleep 3
+    rounds 1
+    xdotool mousemove 200 1000
+    shoot panel-time
+    stop_window
+}
+
+if [[ $SCREEN == 1280x720 ]]; then small_pictures; else panel_pictures; fi

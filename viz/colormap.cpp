@@ -57,16 +57,28 @@ constexpr auto grey = colours({0x000000, 0xffffff});
 constexpr auto blue_grey_orange =
     colours({0x0f3a80, 0x2560a8, 0x5288c4, 0x94b3d1, 0xd4d4d4, 0xd6a680, 0xb8763d, 0x8f5017, 0x613003});
 
-constexpr std::array<Colormap, 8> table{{
-    {"viridis", "dark blue to yellow; even steps look even, and stay so without colour vision", false, viridis},
-    {"cividis", "blue to yellow; looks nearly the same to people with and without red-green blindness", false, cividis},
-    {"magma", "black over purple to cream; even steps", false, magma},
-    {"inferno", "black over red to pale yellow; even steps", false, inferno},
-    {"plasma", "blue over pink to yellow; even steps", false, plasma},
-    {"grey", "black to white", false, grey},
-    {"turbo", "rainbow; many distinct colours, but neither even nor safe for colour-blind readers", false, turbo},
-    {"blue-grey-orange", "signed differences: blue below zero, grey at zero, orange above", true, blue_grey_orange},
-}};
+constexpr Rgba8 colour(std::uint32_t rgb) { return colours({rgb})[0]; }
+
+// Beyond the ends it goes on where it can: darker than the darkest, lighter than the lightest. Maps that begin with black
+// have a dark green for less than that, and those that end light have what they lack, a light green or blue, for more.
+constexpr Rgba8 black = colour(0x000000), white = colour(0xffffff), dark_green = colour(0x0a5f50),
+                pale_blue = colour(0x8fe3ff), blue = colour(0x0072b2), orange = colour(0xe69f00),
+                yellow = colour(0xffe14d);
+
+constexpr auto table = std::to_array<Colormap>({
+    {"viridis", "dark blue to yellow; even steps look even, and stay so without colour vision", false, viridis, black,
+     white},
+    {"cividis", "blue to yellow; looks nearly the same to people with and without red-green blindness", false, cividis,
+     black, white},
+    {"magma", "black over purple to cream; even steps", false, magma, dark_green, pale_blue},
+    {"inferno", "black over red to pale yellow; even steps", false, inferno, dark_green, pale_blue},
+    {"plasma", "blue over pink to yellow; even steps", false, plasma, black, white},
+    {"grey", "black to white", false, grey, blue, orange},
+    {"turbo", "rainbow; many distinct colours, but neither even nor safe for colour-blind readers", false, turbo, black,
+     white},
+    {"blue-grey-orange", "signed numbers: blue below zero, grey at zero, orange above", true, blue_grey_orange,
+     pale_blue, yellow},
+});
 
 constexpr auto categories = colours({0x31536b, 0x56b4e9, 0xe69f00, 0xd55e00, 0xcc79a7, 0x009e73, 0xf0e442, 0x9a9aa2});
 
@@ -85,8 +97,8 @@ Rgba8 Colormap::operator()(float x) const {
     if (!(x > 0)) return table.front();
     if (x >= 1) return table.back();
     const float position = x * float(table.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(position), table.size() - 2);
-    return mix(table[below], table[below + 1], position - float(below));
+    const auto first = std::min(static_cast<std::size_t>(position), table.size() - 2);
+    return mix(table[first], table[first + 1], position - float(first));
 }
 
 std::span<const Colormap> colormaps() { return table; }

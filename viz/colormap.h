@@ -13,6 +13,7 @@ struct Colormap {
     std::string_view summary;
     bool diverging = false;
     std::span<const Rgba8> table;  // evenly spaced from 0 to 1
+    Rgba8 below, above;            // of values beyond the ends; not to be taken for the ends' own colours
 
     /// `x` is clamped to [0, 1]; linear between entries. NaN gives the first entry.
     [[nodiscard]] Rgba8 operator()(float x) const;

@@ -1,7 +1,5 @@
 #include "viz/divergence.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -75,42 +73,14 @@ DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, in
         const std::uint64_t slots = slots_of(work, tile_width, tile_height);
         summary.steps += work.sum;
         summary.slots += slots;
-        summary.mean += double(work.sum) / double(slots);
         efficiencies.push_back(float(double(work.sum) / double(slots)));
     });
     if (efficiencies.empty()) return summary;
     summary.tiles = std::int64_t(efficiencies.size());
     summary.weighted = double(summary.steps) / double(summary.slots);
-    summary.mean /= double(summary.tiles);
     summary.median = double(percentile(efficiencies, 0.5));
     summary.p5 = double(percentile(efficiencies, 0.05));
     return summary;
 }
-
-namespace tile_maps {
-
-Image<float> divergence(const Frame& frame, const MapConfig& config) {
-    return step_efficiency(frame.layer(config.rays), config.tile_width, config.tile_height);
-}
-
-Image<float> idle(const Frame& frame, const MapConfig& config) {
-    Image<float> result = idle_steps(frame.layer(config.rays), config.tile_width, config.tile_height);
-    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        if (!ray_traced(frame, config.rays, i)) result.pixels[i] = std::numeric_limits<float>::quiet_NaN();
-    }
-    return result;
-}
-
-void describe(const Frame& frame, const MapConfig& config, ScalarMap& map) {
-    const DivergenceSummary all = summarise_divergence(frame.layer(config.rays), config.tile_width, config.tile_height);
-    map.facts.push_back({"tile", fmt::format("{}×{} = {} lanes", config.tile_width, config.tile_height,
-                                             config.tile_width * config.tile_height)});
-    if (all.tiles == 0) return;
-    map.facts.push_back({"whole image", fmt::format("{:.3f}", all.weighted)});
-    map.facts.push_back({"median tile", fmt::format("{:.3f}", all.median)});
-    map.facts.push_back({"worst 5 %", fmt::format("≤ {:.3f}", all.p5)});
-}
-
-}  // namespace tile_maps
 
 }  // namespace kd

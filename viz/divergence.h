@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "viz/map.h"
+#include "renderer/trace/frame.h"
 
 namespace kd {
 
@@ -26,18 +26,11 @@ namespace kd {
 /// The whole image in numbers, over the tiles that have work.
 struct DivergenceSummary {
     std::int64_t tiles = 0;
-    double weighted = 0;                  // sum of n over sum of W * max(n): the efficiency of the image
-    double mean = 0, median = 0, p5 = 0;  // of the tiles' efficiencies, each tile counting once
-    std::uint64_t steps = 0, slots = 0;   // sum of n, sum of W * max(n)
+    std::uint64_t steps = 0, slots = 0;  // sum of n, sum of W * max(n)
+    double weighted = 0;                 // steps / slots: the efficiency of the image
+    double median = 0, p5 = 0;           // of the tiles' efficiencies, each tile counting once
 };
 
 [[nodiscard]] DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height);
-
-/// The registry's entries.
-namespace tile_maps {
-[[nodiscard]] Image<float> divergence(const Frame& frame, const MapConfig& config);
-[[nodiscard]] Image<float> idle(const Frame& frame, const MapConfig& config);  // NaN where no ray was traced
-void describe(const Frame& frame, const MapConfig& config, ScalarMap& map);
-}  // namespace tile_maps
 
 }  // namespace kd

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "viz/percentile.h"
 
@@ -109,12 +109,9 @@ MapSummary summarise_map(const ScalarMap& map, const HeatmapConfig& config, int 
     fill_histogram(summary, values, config.logarithmic, bin_count(map, summary.range, config.logarithmic, bins));
     summary.count = std::int64_t(values.size());
     if (values.empty()) return summary;
-    for (const float v : values) summary.sum += double(v);
-    summary.mean = summary.sum / double(summary.count);
+    summary.mean = std::accumulate(values.begin(), values.end(), 0.0) / double(summary.count);
     summary.min = *std::ranges::min_element(values);
     summary.max = *std::ranges::max_element(values);
-    summary.median = percentile(values, 0.5);
-    summary.p95 = percentile(values, 0.95);
     return summary;
 }
 
@@ -137,6 +134,8 @@ Image<Rgba8> paint_map(const ScalarMap& map, const HeatmapConfig& config, ValueR
         if (std::isnan(value)) return untraced_colour;
         if (std::isinf(value)) return nan_colour;
         if (!map.categories.empty()) return category_colour(int(value));
+        if (value < range.min) return colours.below;
+        if (value > range.max) return colours.above;
         return colours(map_position(value, range, config.logarithmic));
     });
     return image;

@@ -27,9 +27,9 @@ struct MapSummary {
     std::int64_t count = 0;                // finite values
     std::int64_t missing = 0, broken = 0;  // NaN = no value; infinite
     std::int64_t below = 0, above = 0;     // outside of the range; on a log scale all values <= 0 are below
-    double sum = 0, mean = 0;
-    float min = 0, max = 0, median = 0, p95 = 0;  // nearest-rank percentiles
-    ValueRange range;                             // that was used
+    double mean = 0;
+    float min = 0, max = 0;
+    ValueRange range;  // that was used
     /// Equal bins over the range, on the scale (linear or log) in use. With `below` and `above` they add up to `count`.
     std::vector<std::int64_t> histogram;
 };
@@ -44,7 +44,8 @@ struct MapSummary {
 /// Position of a value on the colour map, 0..1 clamped; NaN stays NaN. On a log scale values <= 0 are at 0.
 [[nodiscard]] float map_position(float value, ValueRange range, bool logarithmic);
 
-/// NaN in untraced_colour, infinities in nan_colour; categories in category_colour. Ignores the opacity.
+/// Values outside of the range in the colour map's `below` and `above`; NaN in untraced_colour, infinities in
+/// nan_colour; categories in category_colour. Ignores the opacity.
 [[nodiscard]] Image<Rgba8> paint_map(const ScalarMap& map, const HeatmapConfig& config, ValueRange range);
 
 /// Frame colour to 8 bits: clamp, round to nearest; untraced pixels in untraced_colour, not-a-number in nan_colour.

@@ -26,7 +26,7 @@ std::string_view range_word(RangeMode mode) {
 
 /// "visits · linear scale".
 std::string scale_line(const ScalarMap& map, const HeatmapConfig& config) {
-    return fmt::format("{} · {} scale", map.unit.empty() ? "ratio" : map.unit, config.logarithmic ? "log" : "linear");
+    return fmt::format("{} · {} scale", map.unit.empty() ? "share" : map.unit, config.logarithmic ? "log" : "linear");
 }
 
 /// "0 – 382, locked".
@@ -94,8 +94,8 @@ void add_bar(Column& column, const ScalarMap& map, const HeatmapConfig& config, 
             const float position = 1 - (float(row) + 0.5f) / float(height);
             fill_rectangle(image, left, top + row, left + width, top + row + 1, colours(position));
         }
-        if (summary.above > 0) draw_cap(image, left, width, top, cap_height * scale, true, colours(1));
-        if (summary.below > 0) draw_cap(image, left, width, top + height, cap_height * scale, false, colours(0));
+        if (summary.above > 0) draw_cap(image, left, width, top, cap_height * scale, true, colours.above);
+        if (summary.below > 0) draw_cap(image, left, width, top + height, cap_height * scale, false, colours.below);
         draw_histogram(image, top, summary, scale);
         const float size = style::small_text * float(scale);
         const float label_left = float((bar_left - 4) * scale) - column.font().width("pixels", size);
@@ -113,11 +113,11 @@ void add_exceptions(Column& column, const HeatmapConfig& config, const MapSummar
     const double all = pixel_total(summary);
     if (summary.above > 0) {
         column.row("clipped above " + number_text(double(summary.range.max)), percent_text(double(summary.above), all),
-                   colours(1));
+                   colours.above);
     }
     if (summary.below > 0) {
         column.row("clipped below " + number_text(double(summary.range.min)), percent_text(double(summary.below), all),
-                   colours(0));
+                   colours.below);
     }
     if (summary.missing > 0) column.row("no value", percent_text(double(summary.missing), all), untraced_colour);
     if (summary.broken > 0) column.row("not finite", percent_text(double(summary.broken), all), nan_colour);

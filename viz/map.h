@@ -1,7 +1,7 @@
 // Maps: one scalar per pixel, computed from a frame. Heatmaps and divergence maps are both of this kind.
 //
-// To add a map: write its function in pixel_maps.cpp (one pixel at a time) or divergence.cpp (groups of pixels), and
-// add one line to the table in map.cpp.
+// To add a map: one entry in the table of its family, pixel_maps.cpp (one pixel at a time) or tile_maps.cpp (groups of
+// pixels).
 #pragma once
 
 #include <optional>
@@ -48,22 +48,29 @@ struct ScalarMap {
     Image<float> values;
 };
 
+/// A map of one of the families. Exactly one of `of_pixel` and `of_frame` is set.
 struct MapInfo {
     enum class Kind { count, ratio, length, category };
 
-    std::string_view name;  // "nodes", "leaves", "triangles", "restarts", "revisits", "divergence", "idle", ...
-    std::string_view title;
+    std::string_view name;   // on the command line: "nodes"
+    std::string_view title;  // "interior nodes visited"
     std::string_view unit;
     Kind kind;
-    std::string_view summary;                                                // how to read it, one or two sentences
-    float (*of_pixel)(const RayCounters&, const Hit&);                       // null for maps over tiles
-    Image<float> (*of_frame)(const Frame&, const MapConfig&);                // null for maps over pixels
+    std::string_view summary;  // how to read it, one or two sentences
+    /// The value of a pixel whose ray was traced; NaN = none, infinity = broken.
+    float (*of_pixel)(const RayCounters&, const Hit&) = nullptr;
+    Image<float> (*of_frame)(const Frame&, const MapConfig&) = nullptr;      // of a map over tiles
     void (*describe)(const Frame&, const MapConfig&, ScalarMap&) = nullptr;  // adds facts or categories; may be null
 
     [[nodiscard]] bool over_tiles() const { return of_frame != nullptr; }
     [[nodiscard]] bool integer() const { return kind == Kind::count || kind == Kind::category; }
 };
 
+/// The families, each a table in the file of its name.
+[[nodiscard]] std::span<const MapInfo> pixel_maps();
+[[nodiscard]] std::span<const MapInfo> tile_maps();
+
+/// All of them, in the order in which people see them.
 [[nodiscard]] std::span<const MapInfo> maps();
 [[nodiscard]] const MapInfo* find_map(std::string_view name);
 
@@ -74,8 +81,5 @@ struct MapInfo {
 
 /// InputError for an unknown name or a tile outside 4..1024 pixels.
 [[nodiscard]] ScalarMap compute_map(const Frame& frame, const MapConfig& config);
-
-/// `a` - `b` where both have a value, for comparing two configurations. The maps must be of the same size and quantity.
-[[nodiscard]] ScalarMap difference(const ScalarMap& a, const ScalarMap& b);
 
 }  // namespace kd

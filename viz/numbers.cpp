@@ -85,9 +85,12 @@ int decimals_of(double step) {
     return 9;
 }
 
+/// "6.022e23", "−1e−4": four significant digits without closing zeros.
 std::string scientific(double value) {
-    const int exponent = int(std::floor(std::log10(std::abs(value))));
-    return fmt::format("{:.4g}e{}", value / std::pow(10.0, exponent), exponent);
+    const std::string text = fmt::format("{:.3e}", value);
+    const std::size_t e = text.find('e');
+    const std::size_t last = text.find_last_not_of("0.", e - 1);
+    return typeset(text.substr(0, last + 1)) + 'e' + typeset(fmt::format("{}", std::stoi(text.substr(e + 1))));
 }
 
 bool needs_exponent(double value) {

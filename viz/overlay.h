@@ -38,6 +38,17 @@ struct WorldLine {
 /// yet.
 [[nodiscard]] std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end);
 
+/// Two ends of a line over the picture, in pixels from its top left corner, with the depth of its node.
+struct ScreenLine {
+    float x0, y0, x1, y1;
+    int depth;
+};
+
+/// lines_along_ray() of the primary ray through pixel (x, y) of a width x height picture up to its hit, as far as they
+/// lie in the picture; `most` lines, those met first.
+[[nodiscard]] std::vector<ScreenLine> ray_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height,
+                                                int x, int y, const Hit& hit, std::size_t most = 4000);
+
 /// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit
 /// they are left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and
 /// `image` and `frame` of one size. Where lines cross, the one nearer the start of the list is on top.

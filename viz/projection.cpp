@@ -41,10 +41,14 @@ glm::dvec3 Projection::to_camera(Vec3 point) const {
     return {glm::dot(d, right_), glm::dot(d, up_), glm::dot(d, forward_)};
 }
 
+PixelPoint Projection::to_pixels(const glm::dvec3& c) const {
+    return {(c.x / c.z + 1) / 2 * width_, (1 - c.y / c.z) / 2 * height_, c.z};
+}
+
 std::optional<PixelPoint> Projection::project(Vec3 point) const {
     const glm::dvec3 c = to_camera(point);
     if (!(c.z > 0)) return std::nullopt;
-    return PixelPoint{(c.x / c.z + 1) / 2 * width_, (1 - c.y / c.z) / 2 * height_, c.z};
+    return to_pixels(c);
 }
 
 std::optional<Projection::Segment> Projection::project_segment(Vec3 a, Vec3 b, double border) const {
@@ -62,11 +66,7 @@ std::optional<Projection::Segment> Projection::project_segment(Vec3 a, Vec3 b, d
                       cut(limit_y * p.z + p.y, limit_y * d.z + d.y, begin, end) &&
                       cut(limit_y * p.z - p.y, limit_y * d.z - d.y, begin, end);
     if (!seen) return std::nullopt;
-    const auto to_pixels = [&](double s) {
-        const glm::dvec3 c = p + d * s;
-        return PixelPoint{(c.x / c.z + 1) / 2 * width_, (1 - c.y / c.z) / 2 * height_, c.z};
-    };
-    return Segment{to_pixels(begin), to_pixels(end)};
+    return Segment{to_pixels(p + d * begin), to_pixels(p + d * end)};
 }
 
 double Projection::depth_at(int x, int y, double t) const {

@@ -30,7 +30,9 @@ class Projection {
     [[nodiscard]] double depth_at(int x, int y, double t) const;
 
   private:
-    glm::dvec3 to_camera(Vec3 point) const;  // x, y in [-1, 1] times depth inside the picture; z = depth
+    /// x, y in [-1, 1] times depth inside the picture; z = depth.
+    [[nodiscard]] glm::dvec3 to_camera(Vec3 point) const;
+    [[nodiscard]] PixelPoint to_pixels(const glm::dvec3& in_camera) const;
 
     glm::dvec3 eye_, right_, up_, forward_;  // rows of the inverse of (right, up, forward)
     double focal_, right_length_, up_length_;

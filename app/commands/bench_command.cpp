@@ -63,12 +63,11 @@ std::vector<Traversal> wanted_traversals(const BenchOptions& options) {
 std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(const BenchOptions& options,
                                                                               BenchScene& bench) {
     std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> tracers;
-    const ContextKind context = options.context.value_or(ContextKind::automatic);
+    const GlChoices gl{.context = options.context.value_or(ContextKind::automatic), .early_z = bench.session.early_z};
     for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
         if (options.tracer && *options.tracer != kind) continue;
         try {
-            tracers.emplace_back(
-                kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, {.context = context}));
+            tracers.emplace_back(kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, gl));
         } catch (const ContextError& error) {
             if (options.tracer || options.context) throw;
             bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), error.what()));
@@ -82,6 +81,8 @@ std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(co
 
 void measure(const BenchOptions& options, BenchScene& bench, CommandContext& context) {
     const Session& s = bench.session;
+    if (s.early_z == EarlyZ::as_published)
+        bench.notes.emplace_back("gl-fragment with early z as published: it culls no pixel");
     auto tracers = open_tracers(options, bench);
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
@@ -182,6 +183,7 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
 }
 
 int run(const BenchOptions& options, CommandContext& context) {
+    require_context(options, true);
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         BenchScene bench = open(options, name, context);
@@ -208,11 +210,7 @@ CommandBody declare(CLI::App& app) {
                     fmt::format("Frames of each before that [{}]", options->warmup));
     app.add_flag("--naive", options->naive, "Also the loop over all triangles: slow");
     app.add_flag("--json", options->json, "JSON instead of a table");
-    add_size_option(app, *options);
-    add_machine_options(app, *options);
-    add_tree_options(app, *options);
-    add_tracing_options(app, *options);
-    add_shading_options(app, *options);
+    add_frame_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
     add_camera_options(app, *options);
     return [options](CommandContext& context) { return run(*options, context); };
 }

@@ -68,22 +68,31 @@ void make_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (!fs::is_directory(folder))
-        throw InputError(fmt::format("--output: cannot make the folder '{}': {}", folder, error.message()));
-    check_output("--output", (fs::path(folder) / "beauty.png").string(), "");
+        throw InputError(
+            fmt::format("--output: cannot make the folder '{}': {}; choose another", folder, error.message()));
+}
+
+std::string path_of(const GalleryOptions& options, const GalleryScene& scene, const Picture& picture) {
+    return (fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name)).string();
 }
 
 int run(const GalleryOptions& options, CommandContext& context) {
+    const std::vector<GalleryScene> scenes = gallery_scenes();
+    require_context(options, false);
     make_folder(options.folder);
+    std::vector<OutputFile> outputs;
+    for (const GalleryScene& scene : scenes)
+        for (const Picture& picture : pictures) outputs.push_back({"--output", path_of(options, scene, picture)});
+    check_outputs(outputs, {});
     const Font font = picture_font();
-    for (const GalleryScene& scene : gallery_scenes()) {
+    for (const GalleryScene& scene : scenes) {
         Rendering rendering = render(options, options.session_for(scene.name), context);
         rendering.session.scene = fs::path(scene.name).filename().string();
         for (const Picture& picture : pictures) {
             check_stop(context);
-            const fs::path path =
-                fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name);
-            write_picture(path.string(), rendering, view_of(picture, scene), true, font);
-            context.out << path.string() << '\n' << std::flush;
+            const std::string path = path_of(options, scene, picture);
+            write_picture(path, rendering, view_of(picture, scene), true, font);
+            context.out << path << '\n' << std::flush;
         }
     }
     return exit_ok;

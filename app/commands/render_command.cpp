@@ -84,11 +84,13 @@ void print(std::ostream& out, const Rendering& r) {
     out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
 }
 
-void check_outputs(const RenderOptions& o, const std::string& scene) {
-    check_output("--output", o.output, scene, ".png");
-    check_output("--csv", o.csv, scene);
-    check_output("--json", o.json, scene);
-    check_output("--exr", o.exr, scene);
+/// Whatever can be known to fail is told before the work.
+void check(const RenderOptions& o, const Session& session) {
+    check_outputs({{"--output", o.output, ".png"}, {"--csv", o.csv}, {"--json", o.json}, {"--exr", o.exr}},
+                  {{"the scene's own file", session.scene}});
+    // A map that can be made of one pixel can be made of all.
+    if (session.view.show_map) (void)compute_map(Frame(1, 1), session.view.map);
+    require_context(o, false);
 }
 
 int run(const RenderOptions& options, CommandContext& context) {
@@ -97,16 +99,18 @@ int run(const RenderOptions& options, CommandContext& context) {
     view.show_map = options.map.has_value();
     if (options.map) view.map.map = *options.map;
     view.overlay.hidden_line = !options.see_through;
-    check_outputs(options, session.scene);
+    check(options, session);
 
     const Rendering rendering = render(options, session, context);
     print(context.out, rendering);
-    const auto wrote = [&](const std::string& path) { context.out << "wrote     " << path << '\n'; };
+    const auto wrote = [&](const std::string& path, const std::string& what = "") {
+        context.out << "wrote     " << path << what << '\n';
+    };
     write_picture(options.output, rendering, view, !options.no_legend, picture_font());
     wrote(options.output);
     if (!options.csv.empty()) {
         write_file(options.csv, frame_csv(rendering.frame));
-        wrote(options.csv);
+        wrote(options.csv, fmt::format(" ({} rows)", rendering.frame.colour.pixels.size()));
     }
     if (!options.json.empty()) {
         write_file(options.json, json_text(json_of(rendering)));
@@ -185,19 +189,13 @@ CommandBody declare(CLI::App& app) {
     file("--json", o.json, "Also settings, tree, times and counter totals");
     file("--exr", o.exr, "Also every counter as a float channel");
     app.add_flag("--no-legend", o.no_legend, "The bare picture, without legend and caption");
-    add_size_option(app, o);
-    add_machine_options(app, o);
     add_map_options(app, o);
-    add_tracing_options(app, o);
-    add_shading_options(app, o);
-    add_tree_options(app, o);
+    add_frame_options(app, o);
+    app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
+        ->group("Tracing");
     add_camera_options(app, o);
     return [options](CommandContext& context) { return run(*options, context); };
 }
-
-}  // namespace
-
-namespace {
 
 std::string map_list() {
     std::vector<HelpEntry> entries;

@@ -34,6 +34,7 @@ const char* name_of(Verdict verdict) {
 StabilityConfig config_for(const StabilityOptions& options) {
     StabilityConfig config = options.config;
     config.rules = options.session.trace.rules;
+    if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
     config.threads = options.session.threads;
     config.seed = options.session.seed;
     config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
@@ -122,7 +123,7 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--long", options->config.long_run, "All rays of each case instead of a tenth");
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_machine_options(app, *options);
-    add_tracing_options(app, *options);
+    add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
     return [options](CommandContext& context) { return run(*options, context); };
 }
 

@@ -191,11 +191,8 @@ CommandBody declare(CLI::App& app) {
     add_scenes(app, *options);
     app.add_flag("--builders", options->every_builder, "All builders side by side");
     app.add_flag("--json", options->json, "JSON instead of a table");
-    add_size_option(app, *options);
-    add_machine_options(app, *options);
-    add_tree_options(app, *options);
-    add_tracing_options(app, *options);
-    add_shading_options(app, *options);
+    add_frame_options(app, *options);
+    hide_options(app, {"--tracer", "--early-z"});
     return [options](CommandContext& context) { return run(*options, context); };
 }
 

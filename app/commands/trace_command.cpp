@@ -1,6 +1,7 @@
 // trace: the user's own rays by every algorithm, as a table.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
@@ -43,8 +44,8 @@ void add_rows(std::string& table, std::string_view algorithm, const std::string&
               std::span<const RayCounters> counters) {
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const Hit& h = hits[i];
-        table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle, h.t,
-                             h.u, h.v);
+        table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle,
+                             plain_zero(h.t), plain_zero(h.u), plain_zero(h.v));
         for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
         table += fmt::format(",{}\n", counters[i].exit_reason);
     }
@@ -105,8 +106,12 @@ class RayTracers {
 int run(const TraceOptions& options, CommandContext& context) {
     constexpr std::size_t rays_per_step = 16384;
     Session session = options.session_for(options.scenes.front());
-    if (options.output != "-") check_output("--output", options.output, session.scene);
+    const bool to_file = options.output != "-";
+    if (to_file)
+        check_outputs({{"--output", options.output}},
+                      {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
     const std::vector<Ray> asked = read_rays_csv(options.rays);
+    require_context(options, true);
     const FlatScene scene = open_scene(options, session);
     std::vector<Ray> rays;
     for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
@@ -141,10 +146,11 @@ int run(const TraceOptions& options, CommandContext& context) {
             }
     }
     check_stop(context);
-    if (options.output == "-")
-        context.out << table;
-    else
+    if (to_file) {
         write_file(options.output, table);
+        context.out << fmt::format("wrote {} ({} rows)\n", options.output, std::ranges::count(table, '\n') - 1);
+    } else
+        context.out << table;
     return exit_ok;
 }
 
@@ -158,8 +164,9 @@ CommandBody declare(CLI::App& app) {
         ->required()
         ->type_name("FILE");
     add_machine_options(app, *options);
-    add_tree_options(app, *options);
-    add_tracing_options(app, *options);
+    const ShownDefaults everything{.traversal = "all", .tracer = "all"};
+    add_tracing_options(app, *options, everything);
+    add_tree_options(app, *options, everything);
     return [options](CommandContext& context) { return run(*options, context); };
 }
 

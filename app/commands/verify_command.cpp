@@ -27,6 +27,7 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     VerifyConfig config = options.config;
     config.width = session.width;
     config.height = session.height;
+    config.rules = session.trace.rules;
     config.seed = session.seed;
     config.threads = session.threads;
     if (options.builder) config.builders = {*options.builder};
@@ -37,12 +38,6 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
         if (options.context) config.contexts = {*options.context};
     }
     return config;
-}
-
-/// A context that was asked for by name has to be there.
-void require_context(const VerifyOptions& options, const VerifyConfig& config) {
-    if (options.context)
-        for (const ContextKind kind : config.contexts) (void)Context::create(kind);
 }
 
 const char* verdict(const VerifyRow& row) {
@@ -101,12 +96,12 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
 }
 
 int run(const VerifyOptions& options, CommandContext& context) {
+    require_context(options, true);
     bool passed = true;
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         Session session = options.session_for(name);
         const VerifyConfig config = config_for(options, session);
-        if (name == options.scenes.front()) require_context(options, config);
         const FlatScene scene = open_scene(options, session);
         VerifyReport report;
         {
@@ -144,8 +139,9 @@ CommandBody declare(CLI::App& app) {
                     fmt::format("Rays made to break traversals [{}]", config.adversarial_rays));
     add_size_option(app, *options);
     add_machine_options(app, *options);
-    add_tree_options(app, *options);
-    add_tracing_options(app, *options);
+    const ShownDefaults everything{"all", "all", "all", "osmesa and egl"};
+    add_tracing_options(app, *options, everything);
+    add_tree_options(app, *options, everything);
     add_camera_options(app, *options);
     return [options](CommandContext& context) { return run(*options, context); };
 }

@@ -25,28 +25,29 @@ bool is_set(const char* variable) {
 }
 
 int run(const CommonOptions& options, CommandContext& context) {
+    Session session = options.session_for(options.scenes.front());
+    (void)open_scene(options, session);  // a bad scene is told first, and before a window opens
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
         throw NoDisplay(std::string("no display (neither DISPLAY nor WAYLAND_DISPLAY is set)") + instead);
-    Session session = options.session_for(options.scenes.front());
-    (void)open_scene(options, session);  // a bad scene is told before a window opens
     return run_window(session, context.stop);
 }
 
 #else
 
-int run(const CommonOptions&, CommandContext&) { throw NoDisplay(std::string("this build has no window") + instead); }
+int run(const CommonOptions& options, CommandContext&) {
+    Session session = options.session_for(options.scenes.front());
+    (void)open_scene(options, session);  // a bad scene is told first
+    throw NoDisplay(std::string("this build has no window") + instead);
+}
 
 #endif
 
 CommandBody declare(CLI::App& app) {
     const auto options = std::make_shared<CommonOptions>();
     add_one_scene(app, *options, false);
-    add_size_option(app, *options);
-    add_machine_options(app, *options);
-    add_tracing_options(app, *options);
-    add_shading_options(app, *options);
-    add_tree_options(app, *options);
+    add_frame_options(app, *options);
     add_camera_options(app, *options);
+    hide_options(app, {"--size", "--context"});  // the window has its own
     return [options](CommandContext& context) { return run(*options, context); };
 }
 

@@ -46,10 +46,21 @@ void choose_map(Edit& edit, const std::string& map) {
     view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
 }
 
+void show_map(Edit& edit, const std::string& map) {
+    choose_map(edit, map);
+    edit.session.view.show_map = true;
+}
+
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
     edit.window.pinned.reset();
+}
+
+BuildConfig papers_rules(BuildConfig build) {
+    build.empty_bonus_gate = 0;
+    build.trim_leaves = false;
+    return build;
 }
 
 void next_traversal(Edit& edit) {
@@ -63,13 +74,17 @@ void next_traversal(Edit& edit) {
 
 void next_builder(Edit& edit) { edit.session.build.builder = next_name(builders(), edit.session.build.builder); }
 
-void next_map(Edit& edit) {
-    choose_map(edit, next_name(maps(), edit.session.view.map.map));
-    edit.session.view.show_map = true;
-}
+void next_map(Edit& edit) { show_map(edit, next_name(maps(), edit.session.view.map.map)); }
 
 void next_colormap(Edit& edit) {
     edit.session.view.heat.colormap = next_name(colormaps(), edit.session.view.heat.colormap);
+}
+
+void change_text_scale(Edit& edit, int steps) {
+    constexpr float step = 0.1f;
+    float& scale = edit.window.text_scale;
+    scale = steps == 0 ? 1 : step * std::round(scale / step + float(steps));
+    scale = std::clamp(scale, least_text_scale, largest_text_scale);
 }
 
 void lock_range(const EngineState& state, Edit& edit, bool lock) {

@@ -9,15 +9,20 @@
 
 namespace kd {
 
+/// Where the legend lies over the picture.
+enum class Corner { top_left, top_right, bottom_left, bottom_right };
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
     bool help = false;
     bool timing = true;  // CPU against GPU while idle
     bool legend = true;
+    Corner legend_corner = Corner::bottom_right;
+    float text_scale = 1;  // of everything, over the display's own scale
     std::optional<PixelPosition> pinned;
     std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
-    std::string folder = ".";       // of exported files
+    std::string folder = ".";       // of exported files; "~" stands for the home folder
     float fly_speed = 1;            // times the scene's size per 4 seconds
 };
 
@@ -41,17 +46,25 @@ struct Edit {
     void do_once(Action action) { actions.push_back(action); }
 };
 
+inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
+
 /// Changes that panels and keys share.
 namespace edits {
 void show_beauty(Edit& edit);
 void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
+/// The same, and colours over the image where there were none.
+void show_map(Edit& edit, const std::string& map);
 void choose_scene(Edit& edit, const std::string& scene);
+/// `build` with the rules that the paper's text gives; its costs have no values there.
+[[nodiscard]] BuildConfig papers_rules(BuildConfig build);
 void next_traversal(Edit& edit);
 void next_builder(Edit& edit);
 void next_map(Edit& edit);
 void next_colormap(Edit& edit);
+/// One step larger (+1) or smaller (-1), or the display's own size (0).
+void change_text_scale(Edit& edit, int steps);
 /// Keeps the range of the picture shown, or goes back to the automatic one.
 void lock_range(const EngineState& state, Edit& edit, bool lock);
 void switch_tracer(const EngineState& state, Edit& edit);

@@ -4,7 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include "app/panels/panel.h"
-#include "app/window/theme.h"
+#include "app/window/places.h"
 #include "app/window/widgets.h"
 
 namespace kd {
@@ -26,6 +26,7 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     widgets::heading("into folder");
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##folder", "folder", &edit.window.folder);
+    Places::note("folder");
     widgets::hint("Folder that files are written into. Names count up: kdscope-1.png, kdscope-2.png, ...");
     if (!edit.last_export.empty()) widgets::note(edit.last_export);
 }

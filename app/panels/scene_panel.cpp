@@ -3,6 +3,7 @@
 
 #include "app/panels/panel.h"
 #include "app/window/widgets.h"
+#include "renderer/scene/procedural.h"
 #include "renderer/scene/units.h"
 #include "viz/numbers.h"
 
@@ -15,7 +16,10 @@ std::string size_text(const Aabb& bounds) {
     return fmt::format("{} × {} × {}", number_text(double(d.x)), number_text(double(d.y)), number_text(double(d.z)));
 }
 
-bool takes_seed(const std::string& scene) { return scene.starts_with("scatter"); }
+bool takes_seed(const std::string& scene) {
+    const ProceduralScene* procedural = find_procedural(scene);
+    return procedural && procedural->seeded;
+}
 
 }  // namespace
 
@@ -35,7 +39,7 @@ void draw_scene_panel(const EngineState& state, Edit& edit) {
                    "Extent of all triangles along x, y and z, in scene units.");
     if (takes_seed(edit.session.scene)) {
         int seed = int(edit.session.seed);
-        if (widgets::slider("seed", seed, 1, 100, "%d", "Another arrangement of the same number of triangles."))
+        if (widgets::slider("seed", seed, 1, 100, "%d", "Another arrangement of the same scene."))
             edit.session.seed = unsigned(seed);
     }
     for (const std::string& note : scene.notes) widgets::note(note);

@@ -14,6 +14,8 @@ namespace kd {
 
 namespace {
 
+constexpr const char* none = "–";
+
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
 /// Numbers of a frame that is no longer shown are dim.
@@ -32,7 +34,7 @@ void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time
                   const std::string& missing) {
     ImGui::BeginGroup();
     widgets::note(name, colour);
-    large(time.samples > 0 ? ms_text(time.median_ms) : "–", shade(duel, theme::text));
+    large(time.samples > 0 ? ms_text(time.median_ms) : none, shade(duel, theme::text));
     if (time.samples > 0) {
         widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)));
         widgets::note(fmt::format("{} Mrays/s", number_text(double(duel.rays) / time.median_ms * 1e-3)));
@@ -42,14 +44,51 @@ void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time
     ImGui::EndGroup();
 }
 
-void draw_ratio(const DuelState& duel) {
+/// "CPU 1.49× faster": who, and how much, from CPU time over GPU time.
+std::string verdict(double ratio) {
+    const double factor = ratio < 1 ? 1 / ratio : ratio;
+    const std::string text = factor < 99.5 ? fmt::format("{:.2f}", factor) : number_text(std::round(factor));
+    return text == "1.00" ? "equally fast" : fmt::format("{} {}× faster", ratio < 1 ? "CPU" : "GPU", text);
+}
+
+std::string verdict_spread(const Spread& ratio) {
+    const bool cpu_wins = ratio.median < 1;
+    const double low = cpu_wins ? 1 / ratio.p75 : ratio.p25;
+    const double high = cpu_wins ? 1 / ratio.p25 : ratio.p75;
+    return fmt::format("{:.2f} – {:.2f}×, {} rounds", low, high, ratio.samples);
+}
+
+/// "timed at 400 × 270, half the size"; of the whole picture the size alone.
+void draw_size(const DuelState& duel) {
+    if (duel.width == 0) return;
+    const std::string size = fmt::format("{} × {}", duel.width, duel.height);
+    if (duel.scale == 1) return widgets::note("timed at " + size);
+    const std::string share = duel.scale == 2 ? "half" : fmt::format("1/{} of", duel.scale);
+    widgets::note(fmt::format("timed at {}, {} the size", size, share), theme::text);
+}
+
+/// Who is faster, once there are rounds enough to say so.
+void draw_verdict(const EngineState& state) {
+    const DuelState& duel = state.duel;
     ImGui::BeginGroup();
-    widgets::note("CPU / GPU");
-    large(duel.ratio() > 0 ? fmt::format("× {:.2f}", duel.ratio()) : "–", shade(duel, theme::text));
-    const std::size_t rounds = duel.rounds.size();
-    if (rounds > 0) widgets::note(fmt::format("{} round{}", rounds, rounds == 1 ? "" : "s"));
-    if (duel.width > 0) widgets::note(fmt::format("{} × {} px", duel.width, duel.height));
+    widgets::note("the same frame");
+    if (duel.decided()) {
+        large(verdict(duel.ratio.median), shade(duel, theme::text));
+        widgets::note(verdict_spread(duel.ratio));
+    } else {
+        large(none, shade(duel, theme::text));
+        const bool no_gpu = state.gl.known && !state.gl.available();
+        widgets::note(no_gpu ? "no GPU to compare with"
+                             : fmt::format("{} of {} rounds", duel.ratio.samples, DuelState::least_rounds));
+    }
+    draw_size(duel);
     ImGui::EndGroup();
+    widgets::hint(fmt::format(
+        "CPU time over GPU time of each round: median and middle half. Shown from {} rounds on.{}",
+        DuelState::least_rounds,
+        duel.scale > 1 ? "\n\nA frame of the whole picture would take longer than half a second, so a smaller one is "
+                         "timed: as much of the scene, with fewer pixels."
+                       : ""));
 }
 
 /// Median of each GPU pass.
@@ -60,7 +99,7 @@ void draw_passes(const DuelState& duel) {
         widgets::value(pass_names[p].data(),
                        ran                   ? ms_text(duel.passes[p].median_ms)
                        : duel.gl.samples > 0 ? "left out"
-                                             : "–",
+                                             : none,
                        "Median time of this pass on the GPU.", ran ? shade(duel, theme::gpu) : theme::dim_text);
     }
     ImGui::EndGroup();
@@ -97,7 +136,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
 
     ImGui::Columns(5, "time", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
-    const float widths[] = {theme::px(122), theme::px(160), theme::px(100), theme::px(160)};
+    const float widths[] = {theme::px(122), theme::px(160), theme::px(234), theme::px(160)};
     for (int i = 0; i < 4; ++i) ImGui::SetColumnWidth(i, widths[i]);
     ImGui::SetColumnWidth(4, std::max(theme::px(100), width - widths[0] - widths[1] - widths[2] - widths[3]));
     draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, waiting);
@@ -106,7 +145,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     draw_machine("GPU " + traversal + (state.gl.software ? " (software)" : ""), theme::gpu, duel.gl, duel, no_gpu);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
-    draw_ratio(duel);
+    draw_verdict(state);
     ImGui::NextColumn();
     draw_passes(duel);
     widgets::check("measure while idle", edit.window.timing, "Times both machines while nobody works with the window.");

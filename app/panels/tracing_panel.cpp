@@ -5,47 +5,86 @@
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/trace/traversal.h"
+#include "viz/numbers.h"
 
 namespace kd {
 
 namespace {
 
 void draw_traversal(Edit& edit) {
-    const auto all = traversals();
     int index = int(edit.session.trace.traversal);
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
-    const auto summary = [&](int i) { return std::string(all[std::size_t(i)].summary); };
-    if (widgets::choice("traversal", index, int(all.size()), name, summary,
-                        "How a ray walks the tree. Key T: the next."))
+    if (widgets::choice("traversal", index, widgets::options_of(traversals()),
+                        "How a ray walks the tree. Key T: the next. Option --traversal."))
         edit.session.trace.traversal = Traversal(index);
 }
 
+/// Why the GPU cannot be had, as a paragraph for tooltips.
+std::string no_gpu(const EngineState& state) {
+    return state.gl.known && !state.gl.available() ? "\n\nNo GPU tracing here: " + state.gl.unavailable : "";
+}
+
 void draw_tracer(const EngineState& state, Edit& edit) {
-    static constexpr const char* names[] = {"CPU", "GPU, 4 passes"};
-    static constexpr const char* summaries[] = {"The shared text as C++, on all cores.",
-                                                "The same text as GLSL: RTPrim, ShadePrim, RTRefl and ShadeRefl draw "
-                                                "one quad each, with the tree in textures."};
+    const std::string why = no_gpu(state);
     int index = int(edit.session.tracer);
-    const std::string why =
-        state.gl.known && !state.gl.available() ? "\n\nNo GPU tracing here: " + state.gl.unavailable : "";
     ImGui::BeginDisabled(!why.empty());
-    if (widgets::choice(
-            "tracer", index, 2, [](int i) { return std::string(names[i]); },
-            [](int i) { return std::string(summaries[i]); }, "Which machine makes the picture. Key V." + why))
+    if (widgets::choice("tracer", index,
+                        {{"CPU", "The shared text as C++, on all cores."},
+                         {"GPU, 4 passes",
+                          "The same text as GLSL: RTPrim, ShadePrim, RTRefl and ShadeRefl draw one quad each, with the "
+                          "tree in textures."}},
+                        "Which machine makes the picture. Key V. Option --tracer." + why))
         edit.session.tracer = TracerKind(index);
     ImGui::EndDisabled();
 }
 
 void draw_leaf_lists(TraceConfig& trace) {
-    static constexpr const char* names[] = {"references", "copies"};
-    static constexpr const char* summaries[] = {
-        "Leaves hold triangle numbers: small, one step further to the vertices.",
-        "Leaves hold the vertices themselves: large, and what the paper stores."};
     int index = int(trace.leaf_lists);
-    if (widgets::choice(
-            "leaf lists", index, 2, [](int i) { return std::string(names[i]); },
-            [](int i) { return std::string(summaries[i]); }, "Where leaves keep their triangles."))
+    if (widgets::choice("leaf lists", index,
+                        {{"references", "Leaves hold triangle numbers: small, one step further to the vertices."},
+                         {"copies", "Leaves hold the vertices themselves: large, and what the paper stores."}},
+                        "Where leaves keep their triangles. Option --leaf-lists."))
         trace.leaf_lists = LeafLists(index);
+}
+
+void draw_early_z(Edit& edit) {
+    const bool gpu = edit.session.tracer == TracerKind::gl_fragment;
+    int index = int(edit.session.early_z);
+    ImGui::BeginDisabled(!gpu);
+    if (widgets::choice(
+            "early z", index,
+            {{"working", "RTPrim leaves 1 for a miss, 0.25 for a hit and 0 for a reflective hit; later quads lie "
+                         "between, so pixels that they need not shade are culled before their shader runs."},
+             {"as published", "The paper's text: 0 for a hit, 1 for a miss, later quads at 0 with LESS OR EQUAL. Every "
+                              "pixel passes that test, so nothing is culled; the picture is the same."}},
+            gpu ? "How the GPU skips pixels that a pass need not shade: compare the numbers below. Option --early-z."
+                : "How the GPU skips pixels that a pass need not shade. The CPU traces now: V changes to the GPU."))
+        edit.session.early_z = EarlyZ(index);
+    ImGui::EndDisabled();
+}
+
+void draw_rules(TraceConfig& trace) {
+    static const std::vector<widgets::Option> options = widgets::options_of(all_rules());
+    int index = int(trace.rules);
+    if (widgets::choice("rules", index, options,
+                        "How a walk decides between children and goes on. Published rules lose rays that touch split "
+                        "planes, and some walks never end: see the map 'exit'. Option --rules."))
+        trace.rules = Rules(index);
+}
+
+/// What the GPU shaded in the frame shown, pass by pass.
+void draw_shaded(const Picture& picture) {
+    widgets::heading("pixels shaded by each pass");
+    for (std::size_t p = 0; p < pass_count; ++p) {
+        const std::int64_t shaded = picture.traced.shaded_pixels[p];
+        widgets::value(pass_names[p].data(), shaded >= 0 ? number_text(double(shaded)) : "did not run",
+                       "Runs of this pass's shader, counted exactly. Bounces beyond the first add to the last two.");
+    }
+}
+
+void draw_left_out(const Picture& picture) {
+    if (picture.traced.left_out.empty()) return;
+    widgets::heading("left out, not needed here");
+    for (const std::string& line : picture.traced.left_out) widgets::note(line);
 }
 
 }  // namespace
@@ -54,17 +93,19 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     TraceConfig& trace = edit.session.trace;
     draw_traversal(edit);
     draw_tracer(state, edit);
-    draw_leaf_lists(trace);
-    widgets::toggle("shadows", trace.shadows,
-                    "One shadow ray per light and hit (pass ShadePrim). Off: every light reaches everything.");
     widgets::slider("bounces", trace.reflection_depth, 0, 8, "%d",
-                    "Reflections that a ray follows (passes RTRefl and ShadeRefl); the paper follows one.");
-    widgets::value("rules", "robust",
-                   "Rounding never loses a hit: intervals at planes are widened by proven bounds, and progress is "
-                   "counted, not by epsilon.");
-    if (!state.picture || state.picture->traced.left_out.empty()) return;
-    widgets::heading("left out, not needed here");
-    for (const std::string& line : state.picture->traced.left_out) widgets::note(line);
+                    "Reflections that a ray follows (passes RTRefl and ShadeRefl); the paper follows one. Option "
+                    "--reflection-depth.");
+    widgets::toggle("shadows", trace.shadows,
+                    "One shadow ray per light and hit (pass ShadePrim). Off: every light reaches everything. Option "
+                    "--no-shadows.");
+    if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
+    draw_leaf_lists(trace);
+    draw_early_z(edit);
+    draw_rules(trace);
+    if (!state.picture) return;
+    if (state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(*state.picture);
+    draw_left_out(*state.picture);
 }
 
 }  // namespace kd

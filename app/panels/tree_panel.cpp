@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/panels/panel.h"
+#include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "viz/numbers.h"
 
@@ -10,46 +11,63 @@ namespace kd {
 namespace {
 
 void draw_builder(Edit& edit) {
-    const auto all = builders();
-    int index = -1;
-    for (int i = 0; i < int(all.size()); ++i)
-        if (all[std::size_t(i)].name == edit.session.build.builder) index = i;
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
-    const auto summary = [&](int i) {
-        return fmt::format("{}: {}", all[std::size_t(i)].title, all[std::size_t(i)].summary);
-    };
-    if (widgets::choice("builder", index, int(all.size()), name, summary,
-                        "Where the tree puts its split planes. Key B: the next."))
-        edit.session.build.builder = all[std::size_t(index)].name;
+    widgets::choice("builder", edit.session.build.builder, widgets::options_of(builders()),
+                    "Where the tree puts its split planes. Key B: the next. Option --builder.");
 }
 
-void draw_constants(BuildConfig& b, const EngineState& state) {
-    widgets::slider("step cost", b.traversal_cost, 0.1f, 10, "%.2f",
-                    "Cost t_t of visiting one interior node. Larger makes flatter trees with larger leaves.", true);
-    widgets::slider("test cost", b.intersection_cost, 0.1f, 10, "%.2f",
-                    "Cost t_i of one triangle test. Larger makes deeper trees with fewer tests.", true);
-    widgets::slider(
-        "empty bonus", b.empty_bonus, 0, 1, "%.2f",
-        "b_e: the part of the cost forgiven when a split leaves one child empty. Larger carves off more empty space.");
+void draw_constants(BuildConfig& b) {
+    widgets::slider("step cost (t_t)", b.traversal_cost, 0.1f, 10, "%.2f",
+                    "Of visiting one interior node. Larger makes flatter trees with larger leaves. Option "
+                    "--traversal-cost.",
+                    true);
+    widgets::slider("test cost (t_i)", b.intersection_cost, 0.1f, 10, "%.2f",
+                    "Of one triangle test. Larger makes deeper trees with fewer tests. Option --intersection-cost.",
+                    true);
+    widgets::slider("empty bonus (b_e)", b.empty_bonus, 0, 1, "%.2f",
+                    "The part of the cost forgiven when a split leaves one child empty. Larger carves off more empty "
+                    "space. Option --empty-bonus.");
     widgets::slider("leaf size", b.leaf_size, 1, 32, "%d",
-                    "Nodes with at most this many triangles are not split further.");
-    if (!ImGui::TreeNodeEx("more constants", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth))
-        return;
+                    "Nodes with at most this many triangles are not split further. Option --leaf-size.");
+}
+
+void draw_more_constants(BuildConfig& b, const EngineState& state) {
+    if (!widgets::fold("more constants", false)) return;
     widgets::slider("bonus from", b.empty_bonus_gate, 0, 1, "%.2f",
-                    "The bonus counts only where the empty child takes at least this share of the node.");
+                    "The bonus counts only where the empty child takes at least this share of the node. 0 is the "
+                    "paper's rule. Option --empty-bonus-gate.");
     const int automatic = state.world ? depth_limit(BuildConfig{}, state.world->scene().triangles.size()) : 0;
     widgets::slider("depth limit", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
-                    fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}.", automatic));
+                    fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}. Option --max-depth.", automatic));
     widgets::slider("bad splits", b.bad_refines, 0, 10, "%d",
-                    "How often on one path a split may cost more than it saves before the node becomes a leaf.");
+                    "How often on one path a split may cost more than it saves before the node becomes a leaf. Option "
+                    "--bad-refines.");
     widgets::slider("reference cap", b.reference_cap, 1, 256, "%.0f",
-                    "Most entries of leaf lists per triangle: keeps hopeless scenes within memory.", true);
-    widgets::toggle(
-        "trim leaves", b.trim_leaves,
-        "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the paper.");
+                    "Most entries of leaf lists per triangle: keeps hopeless scenes within memory. Option "
+                    "--reference-cap.",
+                    true);
+    widgets::toggle("trim leaves", b.trim_leaves,
+                    "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the "
+                    "paper. Option --box-leaves turns it off.");
+}
+
+/// Two ways back from constants that were tried.
+void draw_presets(BuildConfig& b) {
+    widgets::begin_row("constants", "All of the builder's constants at once.");
+    const float half = (widgets::control_width() - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const BuildConfig start{.builder = b.builder};
+    const BuildConfig paper = edits::papers_rules(start);
+    const auto preset = [&](const char* label, const BuildConfig& wanted, std::string_view tooltip) {
+        if (widgets::button(label, b == wanted ? "The constants are these." : tooltip, b != wanted, half)) b = wanted;
+    };
+    preset("default", start, "Back to the values that the program starts with.");
+    ImGui::SameLine();
+    preset("paper's", paper,
+           "The paper's rules: the bonus for every empty child, however thin, and leaves that name all triangles whose "
+           "box reaches them. The paper gives no values for t_t, t_i and b_e and no limits: those are the program's.");
 }
 
 void draw_statistics(const EngineState& state) {
+    if (!widgets::fold("statistics", ImGui::GetIO().DisplaySize.y >= theme::px(800))) return;
     const TreeStats& s = state.world->stats;
     widgets::value("nodes", number_text(double(s.nodes)), "Interior nodes and leaves.");
     widgets::value("leaves, empty",
@@ -74,15 +92,9 @@ void draw_statistics(const EngineState& state) {
 
 void draw_tree_panel(const EngineState& state, Edit& edit) {
     draw_builder(edit);
-    draw_constants(edit.session.build, state);
-    if (edit.session.build != BuildConfig{.builder = edit.session.build.builder}) {
-        if (widgets::button("default constants", "Back to the values that the program starts with."))
-            edit.session.build = BuildConfig{.builder = edit.session.build.builder};
-    }
-    if (state.building.active) {
-        widgets::progress(state.building.fraction, fmt::format("building {:.0f} %", 100 * state.building.fraction));
-        if (widgets::button("cancel", "Keeps the tree that is shown.")) edit.do_once(Action::cancel_build);
-    }
+    draw_constants(edit.session.build);
+    draw_presets(edit.session.build);
+    draw_more_constants(edit.session.build, state);
     if (state.world) draw_statistics(state);
 }
 

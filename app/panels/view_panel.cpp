@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/panels/panel.h"
+#include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "viz/colormap.h"
 
@@ -11,51 +12,42 @@ namespace kd {
 
 namespace {
 
-void draw_map(Edit& edit) {
-    const auto all = maps();
+/// What lies over the image, side by side.
+void draw_layers(Edit& edit) {
+    const float third = ImGui::GetContentRegionAvail().x / 3;
+    const float left = ImGui::GetCursorPosX();
     ViewConfig& view = edit.session.view;
-    int index = -1;
-    for (int i = 0; i < int(all.size()); ++i)
-        if (all[std::size_t(i)].name == view.map.map) index = i;
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
-    const auto summary = [&](int i) {
-        return fmt::format("{}: {}", all[std::size_t(i)].title, all[std::size_t(i)].summary);
-    };
-    if (widgets::choice("map", index, int(all.size()), name, summary,
-                        "The number that colours stand for. Key M: the next."))
-        edits::choose_map(edit, std::string(all[std::size_t(index)].name));
-    int rays = int(view.map.rays);
-    if (widgets::choice(
-            "rays", rays, pass_count, [](int i) { return std::string(ray_names[std::size_t(i)]); },
-            [](int i) { return fmt::format("Traced by pass {}.", pass_names[std::size_t(i)]); },
-            "Whose counters. A pixel without such rays stays dark."))
-        view.map.rays = Pass(rays);
+    widgets::check("map", view.show_map, "Colours over the image. Key H.");
+    ImGui::SameLine(left + third);
+    widgets::check("splits", view.overlay.show,
+                   "The tree over the image: cells, and the planes that cut them. Key S. Option --overlay.");
+    ImGui::SameLine(left + 2 * third);
+    widgets::check("legend", edit.window.legend, "The legend over the picture; drag it to another corner. Key K.");
 }
 
-void draw_colours(Edit& edit) {
-    HeatmapConfig& heat = edit.session.view.heat;
-    const auto all = colormaps();
-    int index = -1;
-    for (int i = 0; i < int(all.size()); ++i)
-        if (all[std::size_t(i)].name == heat.colormap) index = i;
-    const auto name = [&](int i) { return std::string(all[std::size_t(i)].name); };
-    const auto summary = [&](int i) { return std::string(all[std::size_t(i)].summary); };
-    if (widgets::choice("colours", index, int(all.size()), name, summary, "Key C: the next."))
-        heat.colormap = all[std::size_t(index)].name;
-    widgets::slider("opacity", heat.opacity, 0, 1, "%.2f", "Of the colours over the image.");
-    widgets::toggle("logarithmic", heat.logarithmic, "Equal steps of colour are equal factors. Key G.");
+void draw_map(Edit& edit) {
+    ViewConfig& view = edit.session.view;
+    std::string map = view.map.map;
+    if (widgets::choice("map", map, widgets::options_of(maps()),
+                        "The number that colours stand for. Key M: the next. Option --map."))
+        edits::show_map(edit, map);
+    std::vector<widgets::Option> rays;
+    for (std::size_t i = 0; i < pass_count; ++i)
+        rays.push_back({std::string(ray_names[i]), fmt::format("Traced by pass {}.", pass_names[i])});
+    int index = int(view.map.rays);
+    if (widgets::choice("rays", index, rays, "Whose counters. A pixel without such rays stays dark. Option --rays."))
+        view.map.rays = Pass(index);
 }
 
 void draw_range(const EngineState& state, Edit& edit) {
-    static constexpr const char* names[] = {"automatic", "fixed", "locked"};
-    static constexpr const char* summaries[] = {
-        "Follows the picture: up to the value that 99.5 % of the pixels stay below. Key N.",
-        "From the two numbers below.", "Keeps the range as it is now, so that pictures can be compared. Key L."};
     HeatmapConfig& heat = edit.session.view.heat;
     int mode = int(heat.range_mode);
     if (widgets::choice(
-            "range", mode, 3, [](int i) { return std::string(names[i]); },
-            [](int i) { return std::string(summaries[i]); }, "Values at the two ends of the colours.")) {
+            "range", mode,
+            {{"automatic", "Follows the picture: up to the value that 99.5 % of the pixels stay below. Key N."},
+             {"fixed", "From the two numbers below."},
+             {"locked", "Keeps the range as it is now, so that pictures can be compared. Key L."}},
+            "Values at the two ends of the colours.")) {
         edits::lock_range(state, edit, RangeMode(mode) != RangeMode::automatic);
         heat.range_mode = RangeMode(mode);
     }
@@ -76,11 +68,20 @@ void draw_tiles(MapConfig& map) {
         std::clamp(map.tile_height, (3 + map.tile_width) / map.tile_width, std::max(1, 1024 / map.tile_width));
 }
 
-void draw_splits(OverlayConfig& overlay) {
-    widgets::toggle("splits", overlay.show,
-                    "Draws the tree over the image: cells, and the planes that cut them. Key S.");
-    if (!overlay.show) return;
-    widgets::slider("to depth", overlay.max_depth, 0, 24, "%d", "Splits below this depth are not drawn. Keys [ and ].");
+void draw_split_depth(OverlayConfig& overlay) {
+    if (widgets::slider("splits to depth", overlay.max_depth, 0, 24, "%d",
+                        "Splits below this depth are not drawn. Keys [ and ]. Option --overlay-depth."))
+        overlay.show = true;
+}
+
+void draw_colours(HeatmapConfig& heat) {
+    widgets::choice("colours", heat.colormap, widgets::options_of(colormaps()), "Key C: the next. Option --colormap.");
+    widgets::slider("opacity", heat.opacity, 0, 1, "%.2f", "Of the colours over the image. Option --opacity.");
+    widgets::toggle("logarithmic", heat.logarithmic, "Equal steps of colour are equal factors. Key G. Option --log.");
+}
+
+void draw_split_lines(OverlayConfig& overlay) {
+    if (!widgets::fold("split lines", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
     widgets::toggle("planes", overlay.planes, "Outlines of the split planes.");
     widgets::toggle("cells", overlay.boxes, "Outlines of the cells at that depth, and of leaves above it.");
     widgets::toggle("hide behind", overlay.hidden_line,
@@ -92,18 +93,14 @@ void draw_splits(OverlayConfig& overlay) {
 
 void draw_view_panel(const EngineState& state, Edit& edit) {
     ViewConfig& view = edit.session.view;
-    widgets::toggle("show map", view.show_map, "Colours over the image. Key H.");
-    if (view.show_map) {
-        ImGui::PushID("map");
-        draw_map(edit);
-        const MapInfo* map = find_map(view.map.map);
-        if (map && map->over_tiles()) draw_tiles(view.map);
-        draw_colours(edit);
-        draw_range(state, edit);
-        ImGui::PopID();
-    }
-    draw_splits(view.overlay);
-    widgets::toggle("legend", edit.window.legend, "The legend over the picture.");
+    draw_layers(edit);
+    draw_map(edit);
+    draw_range(state, edit);
+    draw_split_depth(view.overlay);
+    const MapInfo* map = find_map(view.map.map);
+    if (map && map->over_tiles()) draw_tiles(view.map);
+    draw_colours(view.heat);
+    draw_split_lines(view.overlay);
 }
 
 }  // namespace kd

@@ -6,6 +6,7 @@
 
 #include "app/assets.h"
 #include "app/machine_info.h"
+#include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
@@ -16,42 +17,38 @@ namespace kd {
 
 namespace {
 
-struct SceneChoice {
-    std::string name, summary;
-};
+constexpr float name_from_width = 1040;  // narrower windows need the room
 
 /// The procedural scenes at a few sizes, then the files that come with the program.
-std::vector<SceneChoice> scene_choices() {
-    std::vector<SceneChoice> choices;
+std::vector<widgets::Option> scene_options() {
+    std::vector<widgets::Option> options;
     for (const ProceduralScene& scene : procedural_scenes()) {
         const std::string base(scene.name);
         const std::string summary(scene.summary);
         if (scene.default_size == 0) {
-            choices.push_back({base, summary});
+            options.push_back({base, summary});
             continue;
         }
         for (const int size : {scene.default_size, 10 * scene.default_size})
-            if (size <= scene.largest_size) choices.push_back({fmt::format("{}:{}", base, size), summary});
+            if (size <= scene.largest_size) options.push_back({fmt::format("{}:{}", base, size), summary});
     }
     for (const auto& file : shipped_scenes())
-        choices.push_back({file.filename().string(), "A file that comes with the program."});
-    return choices;
+        options.push_back({file.filename().string(), "A file that comes with the program."});
+    return options;
 }
 
-void draw_scene_combo(Edit& edit) {
-    const float width = theme::px(190);
-    ImGui::SetNextItemWidth(width);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {1e4f, theme::px(480)});
-    if (ImGui::BeginCombo("##scene", edit.session.scene.c_str(), ImGuiComboFlags_HeightLargest)) {
-        for (const SceneChoice& choice : scene_choices()) {
-            if (ImGui::Selectable(choice.name.c_str(), choice.name == edit.session.scene))
-                edits::choose_scene(edit, choice.name);
-            widgets::hint(choice.summary);
-        }
-        ImGui::EndCombo();
-    } else {
-        widgets::hint("The scene. Files can be dropped onto the window: .gltf or .glb.");
-    }
+void draw_scene(Edit& edit) {
+    std::string scene = edit.session.scene;
+    if (widgets::combo("scene", scene, scene_options(),
+                       "The scene. Files can be dropped onto the window: .gltf or .glb.", theme::px(164)))
+        edits::choose_scene(edit, scene);
+}
+
+void draw_map(Edit& edit) {
+    std::string map = edit.session.view.map.map;
+    if (widgets::combo("map", map, widgets::options_of(maps()), "The number that colours stand for. Key M: the next.",
+                       theme::px(132)))
+        edits::show_map(edit, map);
 }
 
 void draw_modes(Edit& edit) {
@@ -68,6 +65,8 @@ void draw_modes(Edit& edit) {
                          "What pixels lose by waiting for their neighbours in a SIMD group. Key D."))
         edits::show_divergence(edit);
     ImGui::PopStyleVar();
+    ImGui::SameLine();
+    draw_map(edit);
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
@@ -101,8 +100,8 @@ void draw_badge(const EngineState& state, Edit& edit) {
     list.AddCircleFilled({corner.x + theme::px(7), middle}, theme::px(4), cpu ? theme::cpu : theme::gpu);
     list.AddText({corner.x + theme::px(18), middle - ImGui::GetFontSize() / 2}, theme::text, what.c_str());
     ImGui::SameLine(ImGui::GetWindowWidth() - help - theme::px(8));
-    if (ImGui::Button("?")) edit.window.help = !edit.window.help;
-    widgets::hint("All keys. Key F1.");
+    if (widgets::button("?", "All keys, and the size of the text. Key F1.", true, 0))
+        edit.window.help = !edit.window.help;
 }
 
 std::string status_text(const EngineState& state) {
@@ -127,6 +126,8 @@ void draw_work(const EngineState& state, Edit& edit) {
     if (!building) return;
     ImGui::SameLine();
     if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
+    Places::note("cancel");
+    widgets::hint("Keeps the tree that is shown.");
 }
 
 }  // namespace
@@ -144,14 +145,17 @@ void begin_area(const char* name, const Rectangle& area, ImVec2 padding, ImGuiWi
 }
 
 void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
+    const Section section("top");
     begin_area("##top", area, {theme::px(12), std::round((area.height - ImGui::GetFrameHeight()) / 2)},
                ImGuiWindowFlags_NoScrollbar);
-    ImGui::PushFont(theme::font(theme::Type::heading));
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("kdscope");
-    ImGui::PopFont();
-    ImGui::SameLine(0, theme::px(16));
-    draw_scene_combo(edit);
+    if (area.width >= theme::px(name_from_width)) {
+        ImGui::PushFont(theme::font(theme::Type::heading));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("kdscope");
+        ImGui::PopFont();
+        ImGui::SameLine(0, theme::px(16));
+    }
+    draw_scene(edit);
     ImGui::SameLine(0, theme::px(16));
     draw_modes(edit);
     draw_badge(state, edit);
@@ -159,13 +163,14 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
 }
 
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {
+    const Section section("status");
     begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)},
                ImGuiWindowFlags_NoScrollbar);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
     ImGui::TextUnformatted(status_text(state).c_str());
     ImGui::PopStyleColor();
     draw_work(state, edit);
-    const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys";
+    const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys, text size";
     const float width = ImGui::CalcTextSize(hint).x;
     ImGui::SameLine();
     if (ImGui::GetCursorPosX() < area.width - width - theme::px(24)) {

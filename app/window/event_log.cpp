@@ -13,6 +13,10 @@ EventLog::EventLog(const std::string& path) {
     file_ << "event,kind,t_event_ms,t_frame_ms,latency_ms\n";
 }
 
+EventLog::~EventLog() {
+    for (const Event& e : waiting_) file_ << fmt::format("{},{},{:.2f},,\n", e.id, e.kind, 1e3 * e.time);
+}
+
 void EventLog::input(const char* kind, double now) {
     if (file_.is_open()) waiting_.push_back({++count_, kind, now});
 }

@@ -11,11 +11,15 @@
 namespace kd {
 
 /// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is
-/// (at least a preview) of the session that the event led to.
+/// (at least a preview) of the session that the event led to. Those that never were are written at the end, with nothing
+/// for the frame's time and the latency.
 class EventLog {
   public:
     /// Throws InputError where `path` cannot be written; empty: off.
     explicit EventLog(const std::string& path);
+    ~EventLog();
+    EventLog(const EventLog&) = delete;
+    EventLog& operator=(const EventLog&) = delete;
 
     /// An input came; `now` in seconds on the engine's clock.
     void input(const char* kind, double now);

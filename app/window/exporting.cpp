@@ -1,10 +1,8 @@
 #include "app/window/exporting.h"
 
-#include <array>
-#include <cctype>
 #include <fmt/format.h>
-#include <version.h>
 
+#include "app/figure_text.h"
 #include "app/json_values.h"
 #include "app/machine_info.h"
 #include "renderer/geometry/input_error.h"
@@ -18,36 +16,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool on_cpu(const EngineState& state) { return state.picture->traced.tracer == TracerKind::cpu; }
+
 std::string renderer_of(const EngineState& state) {
-    if (state.picture->traced.tracer == TracerKind::cpu) return cpu_renderer(state.session.threads);
-    return state.gl.renderer + (state.gl.software ? " (software)" : "");
+    return on_cpu(state) ? cpu_renderer(state.session.threads) : state.gl.renderer;
+}
+
+FigureFacts facts_of(const EngineState& state) {
+    const TracedFrame& traced = state.picture->traced;
+    return {.scene = traced.world->loaded->name,
+            .triangles = traced.world->scene().triangles.size(),
+            .build = traced.world->built_with,
+            .trace = traced.config,
+            .tracer = traced.tracer,
+            .renderer = renderer_of(state),
+            .software_gl = !on_cpu(state) && state.gl.software,
+            .width = traced.frame->width,
+            .height = traced.frame->height,
+            .milliseconds = traced.milliseconds,
+            .clock = on_cpu(state) ? state.duel.cpu_clock : state.duel.gl_clock};
 }
 
 std::string title_of(const EngineState& state) {
-    const ViewConfig& view = state.picture->view;
-    const MapInfo* map = find_map(view.map.map);
-    std::string title = state.session.scene;
-    if (view.show_map && map) title = fmt::format("{}, {} rays", map->title, ray_names[std::size_t(view.map.rays)]);
-    title[0] = char(std::toupper(static_cast<unsigned char>(title[0])));
-    return title;
-}
-
-std::string caption_of(const EngineState& state) {
-    const TracedFrame& traced = state.picture->traced;
-    const BuildConfig& b = traced.world->built_with;
-    return fmt::format("{}, {} triangles; {} tree (t_t {}, t_i {}, b_e {}, leaf {}); {} traversal, {} lists; {} × {}; "
-                       "{}; {:.1f} ms; kdscope {}",
-                       state.session.scene, traced.world->stats.triangles, b.builder, b.traversal_cost,
-                       b.intersection_cost, b.empty_bonus, b.leaf_size, info(traced.config.traversal).name,
-                       name_of(traced.config.leaf_lists), traced.frame->width, traced.frame->height, renderer_of(state),
-                       traced.milliseconds, build::version);
+    return title_of(state.picture->traced.world->loaded->name, state.picture->view);
 }
 
 PngText png_text(const EngineState& state) {
-    return {{"Title", title_of(state)},
-            {"Description", caption_of(state)},
-            {"Software", fmt::format("kdscope {} ({})", build::version, build::commit)},
-            {"kdscope-settings", summary_json(state)["settings"].dump(-1, ' ', false, Json::error_handler_t::replace)}};
+    return png_text(title_of(state), caption_of(facts_of(state)), state.session, state.picture->view);
 }
 
 }  // namespace
@@ -78,6 +73,7 @@ Json summary_json(const EngineState& state) {
             {"scene", json_of(traced.world->scene())},
             {"tree", json_of(traced.world->stats)},
             {"renderer", renderer_of(state)},
+            {"software_gl", !on_cpu(state) && state.gl.software},
             {"gpu",
              {{"renderer", state.gl.renderer}, {"software", state.gl.software}, {"unavailable", state.gl.unavailable}}},
             {"frame", {{"width", frame.width}, {"height", frame.height}, {"scale", traced.scale}}},
@@ -104,7 +100,7 @@ fs::path export_file(Action what, const EngineState& state, const std::string& f
     write_png(path,
               bare ? state.picture->image
                    : make_figure(*traced.frame, traced.world->tree, traced.camera, state.picture->view, title_of(state),
-                                 caption_of(state), font),
+                                 caption_of(facts_of(state)), font),
               png_text(state));
     return path;
 }

@@ -40,6 +40,23 @@ std::string glfw_error() {
     return glfwGetError(&text) != GLFW_NO_ERROR && text ? text : "GLFW gives no reason";
 }
 
+/// The display's scale, or what the environment says instead.
+float chosen_scale(float scale) {
+    if (const char* text = std::getenv("KDSCOPE_SCALE")) std::from_chars(text, text + std::strlen(text), scale);
+    return std::clamp(scale, least_scale, largest_scale);
+}
+
+WindowSize size_for_screen() {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return {1280, 720};
+    int x = 0, y = 0;
+    WindowSize free;
+    float across = 1, down = 1;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &free.width, &free.height);
+    glfwGetMonitorContentScale(monitor, &across, &down);
+    return first_size(free, chosen_scale(std::max(across, down)));
+}
+
 /// The first of the versions that there is; null where none is.
 GLFWwindow* try_versions(const std::string& title, int width, int height,
                          std::initializer_list<std::pair<int, int>> versions) {
@@ -60,15 +77,17 @@ GLFWwindow* try_versions(const std::string& title, int width, int height,
 
 }  // namespace
 
-GlfwWindow::GlfwWindow(const std::string& title, int width, int height) {
+GlfwWindow::GlfwWindow(const std::string& title, WindowSize size, bool maximised) {
     if (!glfwInit()) refuse("cannot open a window");
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    window_ = try_versions(title, width, height, {{4, 3}, {3, 3}});
+    if (size == WindowSize{}) size = size_for_screen();
+    glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
+    window_ = try_versions(title, size.width, size.height, {{4, 3}, {3, 3}});
     if (!window_) refuse("cannot open a window with OpenGL 3.3");
     glfwSetWindowSizeLimits(window_, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
 
+    glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     tracing_ = try_versions(title + ": tracing", 16, 16, {{4, 6}, {4, 5}, {4, 3}});
     if (!tracing_) refused_ = "OpenGL 4.3 is not there: " + glfw_error();
@@ -83,10 +102,16 @@ GlfwWindow::~GlfwWindow() {
 float GlfwWindow::content_scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    float scale = std::max(x, y);
-    if (const char* text = std::getenv("KDSCOPE_SCALE")) std::from_chars(text, text + std::strlen(text), scale);
-    return std::clamp(scale, least_scale, largest_scale);
+    return chosen_scale(std::max(x, y));
 }
+
+WindowSize GlfwWindow::size() const {
+    WindowSize size;
+    glfwGetWindowSize(window_, &size.width, &size.height);
+    return size;
+}
+
+bool GlfwWindow::maximised() const { return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE; }
 
 std::function<std::unique_ptr<Context>()> GlfwWindow::tracing_context() const {
     return [window = tracing_, why = refused_]() -> std::unique_ptr<Context> {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/window/layout.h"
 #include "renderer/gl/context.h"
 
 struct GLFWwindow;
@@ -14,8 +15,8 @@ namespace kd {
 /// Opens GLFW and a window; everything in here is for the main thread unless said otherwise.
 class GlfwWindow {
   public:
-    /// NoDisplay where GLFW finds no display or no OpenGL.
-    GlfwWindow(const std::string& title, int width, int height);
+    /// As large as `size`, or as suits the screen where that is empty. NoDisplay where GLFW finds no display or no OpenGL.
+    GlfwWindow(const std::string& title, WindowSize size, bool maximised);
     ~GlfwWindow();
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
@@ -23,6 +24,8 @@ class GlfwWindow {
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
     /// Of the display: 1 on ordinary ones, 2 on dense ones. $KDSCOPE_SCALE overrides it.
     [[nodiscard]] float content_scale() const;
+    [[nodiscard]] WindowSize size() const;
+    [[nodiscard]] bool maximised() const;
 
     /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called once, on the thread that will use
     /// it, and let go on that thread. ContextError where there is none.

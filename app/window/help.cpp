@@ -1,10 +1,13 @@
 #include "app/window/help.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string_view>
 
 #include "app/window/keys.h"
+#include "app/window/places.h"
 #include "app/window/theme.h"
+#include "app/window/widgets.h"
 
 namespace kd {
 
@@ -46,6 +49,21 @@ void draw_gestures() {
     for (const Gesture& gesture : gestures()) row(gesture.label, gesture.title, theme::px(136));
 }
 
+/// "text size  [-] 100 % [+]"
+void draw_text_scale(Edit& edit) {
+    const float width = theme::px(28);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("size of text and panels");
+    ImGui::SameLine();
+    if (widgets::button("-", "Ctrl -", edit.window.text_scale > least_text_scale, width))
+        edits::change_text_scale(edit, -1);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(fmt::format("{:.0f} %", 100 * edit.window.text_scale).c_str());
+    ImGui::SameLine();
+    if (widgets::button("+", "Ctrl +", edit.window.text_scale < largest_text_scale, width))
+        edits::change_text_scale(edit, 1);
+}
+
 /// Dims everything behind the help; a click on it closes the help and goes no further.
 void draw_shade(ImVec2 size, Edit& edit) {
     ImGui::SetNextWindowPos({0, 0});
@@ -65,6 +83,7 @@ void draw_shade(ImVec2 size, Edit& edit) {
 
 void draw_help(Edit& edit) {
     if (!edit.window.help) return;
+    const Section section("help");
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     draw_shade(size, edit);
     ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -85,7 +104,9 @@ void draw_help(Edit& edit) {
     draw_keys(2, 99);
     ImGui::Columns(1);
     ImGui::Dummy({0, theme::px(8)});
-    if (ImGui::Button("close", {theme::px(96), 0})) edit.window.help = false;
+    draw_text_scale(edit);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - theme::px(96));
+    if (widgets::button("close", "Key Esc or F1.", true, theme::px(96))) edit.window.help = false;
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);

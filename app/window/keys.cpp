@@ -8,6 +8,7 @@ namespace kd {
 namespace {
 
 constexpr int deepest_overlay = 24;
+constexpr int plain = 0;  // no modifiers
 
 void change_depth(Edit& edit, int by) {
     OverlayConfig& overlay = edit.session.view.overlay;
@@ -31,6 +32,16 @@ void leave(Edit& edit) {
         edit.do_once(Action::dismiss_messages);
 }
 
+/// The key of the main block that a key of the number pad repeats.
+int main_key(int key) {
+    switch (key) {
+        case GLFW_KEY_KP_ADD: return GLFW_KEY_EQUAL;
+        case GLFW_KEY_KP_SUBTRACT: return GLFW_KEY_MINUS;
+        case GLFW_KEY_KP_0: return GLFW_KEY_0;
+        default: return key;
+    }
+}
+
 using State = const EngineState&;
 constexpr const char* see = "See";
 constexpr const char* change = "Change";
@@ -38,41 +49,48 @@ constexpr const char* pixel = "Pixel and camera";
 constexpr const char* window = "Window";
 
 constexpr KeyBinding table[] = {
-    {GLFW_KEY_H, false, "H", see, "heatmap on or off", [](State, Edit& e) { toggle_heat(e); }},
-    {GLFW_KEY_D, false, "D", see, "divergence of SIMD groups", [](State, Edit& e) { edits::show_divergence(e); }},
-    {GLFW_KEY_S, false, "S", see, "splits on or off",
+    {GLFW_KEY_H, plain, "H", see, "heatmap on or off", [](State, Edit& e) { toggle_heat(e); }},
+    {GLFW_KEY_D, plain, "D", see, "divergence of SIMD groups", [](State, Edit& e) { edits::show_divergence(e); }},
+    {GLFW_KEY_S, plain, "S", see, "splits on or off",
      [](State, Edit& e) { e.session.view.overlay.show = !e.session.view.overlay.show; }},
-    {GLFW_KEY_LEFT_BRACKET, false, "[", see, "splits one level less deep", [](State, Edit& e) { change_depth(e, -1); }},
-    {GLFW_KEY_RIGHT_BRACKET, false, "]", see, "splits one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
-    {GLFW_KEY_M, false, "M", see, "next map", [](State, Edit& e) { edits::next_map(e); }},
-    {GLFW_KEY_C, false, "C", see, "next colours", [](State, Edit& e) { edits::next_colormap(e); }},
-    {GLFW_KEY_G, false, "G", see, "logarithmic or linear scale",
+    {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits one level less deep", [](State, Edit& e) { change_depth(e, -1); }},
+    {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
+    {GLFW_KEY_M, plain, "M", see, "next map", [](State, Edit& e) { edits::next_map(e); }},
+    {GLFW_KEY_C, plain, "C", see, "next colours", [](State, Edit& e) { edits::next_colormap(e); }},
+    {GLFW_KEY_G, plain, "G", see, "logarithmic or linear scale",
      [](State, Edit& e) { e.session.view.heat.logarithmic = !e.session.view.heat.logarithmic; }},
-    {GLFW_KEY_N, false, "N", see, "normalise: automatic range",
+    {GLFW_KEY_K, plain, "K", see, "legend on or off", [](State, Edit& e) { e.window.legend = !e.window.legend; }},
+    {GLFW_KEY_N, plain, "N", see, "normalise: automatic range",
      [](State s, Edit& e) { edits::lock_range(s, e, false); }},
-    {GLFW_KEY_L, false, "L", see, "lock the range, or let it go",
+    {GLFW_KEY_L, plain, "L", see, "lock the range, or let it go",
      [](State s, Edit& e) { edits::lock_range(s, e, e.session.view.heat.range_mode == RangeMode::automatic); }},
 
-    {GLFW_KEY_T, false, "T", change, "next traversal", [](State, Edit& e) { edits::next_traversal(e); }},
-    {GLFW_KEY_B, false, "B", change, "next builder", [](State, Edit& e) { edits::next_builder(e); }},
-    {GLFW_KEY_V, false, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
+    {GLFW_KEY_T, plain, "T", change, "next traversal", [](State, Edit& e) { edits::next_traversal(e); }},
+    {GLFW_KEY_B, plain, "B", change, "next builder", [](State, Edit& e) { edits::next_builder(e); }},
+    {GLFW_KEY_V, plain, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
 
-    {GLFW_KEY_P, false, "P", pixel, "pin the pixel under the mouse", [](State, Edit& e) { edits::pin(e); }},
-    {GLFW_KEY_LEFT, false, "Left", pixel, "pinned pixel to the left",
+    {GLFW_KEY_P, plain, "P", pixel, "pin the pixel under the mouse", [](State, Edit& e) { edits::pin(e); }},
+    {GLFW_KEY_LEFT, plain, "Left", pixel, "pinned pixel to the left",
      [](State s, Edit& e) { edits::move_pin(s, e, -1, 0); }},
-    {GLFW_KEY_RIGHT, false, "Right", pixel, "pinned pixel to the right",
+    {GLFW_KEY_RIGHT, plain, "Right", pixel, "pinned pixel to the right",
      [](State s, Edit& e) { edits::move_pin(s, e, 1, 0); }},
-    {GLFW_KEY_UP, false, "Up", pixel, "pinned pixel up", [](State s, Edit& e) { edits::move_pin(s, e, 0, -1); }},
-    {GLFW_KEY_DOWN, false, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
-    {GLFW_KEY_F, false, "F", pixel, "look at the pixel's hit", [](State s, Edit& e) { edits::focus(s, e); }},
-    {GLFW_KEY_R, false, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
+    {GLFW_KEY_UP, plain, "Up", pixel, "pinned pixel up", [](State s, Edit& e) { edits::move_pin(s, e, 0, -1); }},
+    {GLFW_KEY_DOWN, plain, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
+    {GLFW_KEY_F, plain, "F", pixel, "look at the pixel's hit", [](State s, Edit& e) { edits::focus(s, e); }},
+    {GLFW_KEY_R, plain, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
 
-    {GLFW_KEY_U, false, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
-    {GLFW_KEY_F12, false, "F12", window, "save a figure (PNG)",
+    {GLFW_KEY_U, plain, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
+    {GLFW_KEY_F12, plain, "F12", window, "save a figure (PNG)",
      [](State, Edit& e) { e.do_once(Action::export_figure); }},
-    {GLFW_KEY_F1, false, "F1", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
-    {GLFW_KEY_SLASH, true, "?", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
-    {GLFW_KEY_ESCAPE, false, "Esc", window, "close help, release pixel", [](State, Edit& e) { leave(e); }},
+    {GLFW_KEY_EQUAL, GLFW_MOD_CONTROL, "Ctrl +", window, "larger text and panels",
+     [](State, Edit& e) { edits::change_text_scale(e, 1); }},
+    {GLFW_KEY_MINUS, GLFW_MOD_CONTROL, "Ctrl -", window, "smaller",
+     [](State, Edit& e) { edits::change_text_scale(e, -1); }},
+    {GLFW_KEY_0, GLFW_MOD_CONTROL, "Ctrl 0", window, "the display's own size",
+     [](State, Edit& e) { edits::change_text_scale(e, 0); }},
+    {GLFW_KEY_F1, plain, "F1", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
+    {GLFW_KEY_SLASH, GLFW_MOD_SHIFT, "?", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
+    {GLFW_KEY_ESCAPE, plain, "Esc", window, "close list or help, release pixel", [](State, Edit& e) { leave(e); }},
 };
 
 constexpr Gesture held[] = {
@@ -84,6 +102,7 @@ constexpr Gesture held[] = {
     {"right + WASD", "fly"},
     {"right + PgUp, PgDn", "fly faster, slower"},
     {"Ctrl+click", "type into a slider"},
+    {"drag the legend", "to another corner"},
 };
 
 }  // namespace
@@ -93,10 +112,11 @@ std::span<const KeyBinding> key_bindings() { return table; }
 std::span<const Gesture> gestures() { return held; }
 
 bool apply_key(int key, int modifiers, const EngineState& state, Edit& edit) {
-    if (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) return false;
-    const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return false;
+    // Shift does not matter beside Ctrl: on many keyboards it is what makes "+" of the key.
+    const int held_down = modifiers & GLFW_MOD_CONTROL ? GLFW_MOD_CONTROL : modifiers & GLFW_MOD_SHIFT;
     for (const KeyBinding& binding : table) {
-        if (binding.key != key || binding.shift != shift) continue;
+        if (binding.key != main_key(key) || binding.modifiers != held_down) continue;
         binding.apply(state, edit);
         return true;
     }

@@ -9,7 +9,7 @@ namespace kd {
 
 struct KeyBinding {
     int key;            // GLFW_KEY_...
-    bool shift;         // only with Shift held
+    int modifiers;      // held with it: GLFW_MOD_SHIFT, GLFW_MOD_CONTROL or none
     const char* label;  // "H"
     const char* group;  // heading in the help
     const char* title;  // "heatmap on or off"

@@ -36,6 +36,14 @@ float handle(const char* id, Rectangle r, bool upright) {
 
 }  // namespace
 
+WindowSize first_size(WindowSize free, float scale) {
+    constexpr float share = 0.9f, least_width = 1280, least_height = 720;
+    const auto along = [&](int all, float least) {
+        return std::min(all, std::max(int(share * float(all)), int(least * scale)));
+    };
+    return {along(free.width, least_width), along(free.height, least_height)};
+}
+
 Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels) {
     const float top = std::round(top_height * scale);
     const float status = std::round(status_height * scale);

@@ -12,9 +12,19 @@ struct Rectangle {
 
 /// Sizes that a person can drag, in pixels at scale 1.
 struct LayoutSizes {
-    float left = 248, right = 224, bottom = 116;
+    float left = 276, right = 228, bottom = 116;
     bool operator==(const LayoutSizes&) const = default;
 };
+
+/// Of a window in pixels.
+struct WindowSize {
+    int width = 0, height = 0;
+    bool operator==(const WindowSize&) const = default;
+};
+
+/// For the first time on a screen that leaves `free` to windows: most of it, at least 1280 x 720 at scale 1 where it has
+/// as much.
+[[nodiscard]] WindowSize first_size(WindowSize free, float scale);
 
 struct Layout {
     Rectangle top, left, picture, right, bottom, status;

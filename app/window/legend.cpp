@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
 #include "viz/numbers.h"
@@ -57,43 +58,48 @@ class Card {
     float y_;
 };
 
-constexpr float bar_height = 116, bar_left = 52, bar_width = 14, cap = 6;
+constexpr float bar_left = 52, bar_width = 14, cap = 6;
+constexpr float least_bar = 64, largest_bar = 116, bar_share = 0.14f;  // of the picture's height
 
-void draw_histogram(ImDrawList& list, ImVec2 top, const MapSummary& summary) {
+float bar_height(const Rectangle& area) {
+    return std::round(std::clamp(bar_share * area.height, theme::px(least_bar), theme::px(largest_bar)));
+}
+
+void draw_histogram(ImDrawList& list, ImVec2 top, float height, const MapSummary& summary) {
     const std::int64_t tallest = summary.histogram.empty() ? 0 : std::ranges::max(summary.histogram);
-    const float step = theme::px(bar_height) / float(std::max<std::size_t>(1, summary.histogram.size()));
+    const float step = height / float(std::max<std::size_t>(1, summary.histogram.size()));
     const float right = top.x + theme::px(bar_left - 3);
     for (std::size_t i = 0; i < summary.histogram.size() && tallest > 0; ++i) {
         if (summary.histogram[i] == 0) continue;
         const float length = std::max(1.0f, theme::px(bar_left - 3) * float(summary.histogram[i]) / float(tallest));
-        const float y = top.y + theme::px(bar_height) - step * float(i + 1);
+        const float y = top.y + height - step * float(i + 1);
         list.AddRectFilled({right - length, y}, {right, y + step}, IM_COL32(126, 126, 136, 255));
     }
 }
 
-void draw_colours(ImDrawList& list, ImVec2 top, const Colormap& colours, const MapSummary& summary) {
+void draw_colours(ImDrawList& list, ImVec2 top, float height, const Colormap& colours, const MapSummary& summary) {
     const float left = top.x + theme::px(bar_left);
     const float right = left + theme::px(bar_width);
-    const float height = theme::px(bar_height);
     for (int i = 0; i < int(height); ++i) {
         const float y = top.y + float(i);
         list.AddRectFilled({left, y}, {right, y + 1}, colour_of(colours(1 - (float(i) + 0.5f) / height)));
     }
     const float middle = (left + right) / 2;
     if (summary.above > 0)
-        list.AddTriangleFilled({left, top.y}, {middle, top.y - theme::px(cap)}, {right, top.y}, colour_of(colours(1)));
+        list.AddTriangleFilled({left, top.y}, {middle, top.y - theme::px(cap)}, {right, top.y},
+                               colour_of(colours.above));
     const float base = top.y + height;
     if (summary.below > 0)
-        list.AddTriangleFilled({left, base}, {right, base}, {middle, base + theme::px(cap)}, colour_of(colours(0)));
+        list.AddTriangleFilled({left, base}, {right, base}, {middle, base + theme::px(cap)}, colour_of(colours.below));
 }
 
-void draw_ticks(ImDrawList& list, ImVec2 top, const MapMeaning& map, bool logarithmic) {
+void draw_ticks(ImDrawList& list, ImVec2 top, float height, const MapMeaning& map, bool logarithmic) {
     const std::vector<double> ticks = tick_values(map.summary.range, logarithmic, map.labels.integer);
     const std::vector<std::string> texts = tick_texts(ticks, logarithmic);
     const float left = top.x + theme::px(bar_left + bar_width);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const float position = map_position(float(ticks[i]), map.summary.range, logarithmic);
-        const float y = std::round(top.y + theme::px(bar_height) * (1 - position));
+        const float y = std::round(top.y + height * (1 - position));
         list.AddLine({left, y}, {left + theme::px(4), y}, theme::dim_text);
         list.AddText({left + theme::px(8), std::round(y - ImGui::GetFontSize() / 2)}, theme::text, texts[i].c_str());
     }
@@ -102,9 +108,9 @@ void draw_ticks(ImDrawList& list, ImVec2 top, const MapMeaning& map, bool logari
 void add_exceptions(Card& card, const MapSummary& s, const Colormap& colours) {
     const double all = double(s.count + s.missing + s.broken);
     if (s.above > 0)
-        card.row("> " + number_text(double(s.range.max)), percent_text(double(s.above), all), colour_of(colours(1)));
+        card.row("> " + number_text(double(s.range.max)), percent_text(double(s.above), all), colour_of(colours.above));
     if (s.below > 0)
-        card.row("< " + number_text(double(s.range.min)), percent_text(double(s.below), all), colour_of(colours(0)));
+        card.row("< " + number_text(double(s.range.min)), percent_text(double(s.below), all), colour_of(colours.below));
     if (s.missing > 0) card.row("no value", percent_text(double(s.missing), all), colour_of(untraced_colour));
     if (s.broken > 0) card.row("not finite", percent_text(double(s.broken), all), colour_of(nan_colour));
 }
@@ -118,13 +124,13 @@ std::string scale_words(const MapMeaning& map, const HeatmapConfig& heat) {
     return words;
 }
 
-void add_quantity(Card& card, const MapMeaning& map, const HeatmapConfig& heat) {
+void add_quantity(Card& card, float bar, const MapMeaning& map, const HeatmapConfig& heat) {
     const Colormap& colours = get_colormap(heat.colormap);
     card.gap(10);
-    card.drawing(theme::px(bar_height), [&](ImDrawList& list, ImVec2 top) {
-        draw_histogram(list, top, map.summary);
-        draw_colours(list, top, colours, map.summary);
-        draw_ticks(list, top, map, heat.logarithmic);
+    card.drawing(bar, [&](ImDrawList& list, ImVec2 top) {
+        draw_histogram(list, top, bar, map.summary);
+        draw_colours(list, top, bar, colours, map.summary);
+        draw_ticks(list, top, bar, map, heat.logarithmic);
     });
     card.gap(10);
     if (map.summary.count > 0) {
@@ -159,13 +165,13 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
     card.row("0: root", std::to_string(last));
 }
 
-float add_all(ImDrawList* list, ImVec2 corner, const Picture& picture) {
+float add_all(ImDrawList* list, ImVec2 corner, float bar, const Picture& picture) {
     Card card(list, corner);
     if (picture.map) {
         card.text(picture.map->labels.title, theme::text, theme::font(theme::Type::body));
         card.text(scale_words(*picture.map, picture.view.heat), theme::dim_text, theme::font(theme::Type::body));
         if (picture.map->labels.categories.empty())
-            add_quantity(card, *picture.map, picture.view.heat);
+            add_quantity(card, bar, *picture.map, picture.view.heat);
         else
             add_categories(card, *picture.map);
     }
@@ -176,19 +182,49 @@ float add_all(ImDrawList* list, ImVec2 corner, const Picture& picture) {
     return card.height();
 }
 
+ImVec2 place_in(const Rectangle& area, ImVec2 size, Corner corner) {
+    const float margin = theme::px(12);
+    const bool left = corner == Corner::top_left || corner == Corner::bottom_left;
+    const bool top = corner == Corner::top_left || corner == Corner::top_right;
+    return {left ? area.x + margin : area.x + area.width - margin - size.x,
+            top ? area.y + margin : area.y + area.height - margin - size.y};
+}
+
+/// A drag of the whole window takes the legend to the corner nearest to the mouse.
+void handle_drag(const Rectangle& area, ImVec2 size, Corner& corner) {
+    ImGui::InvisibleButton("##legend", size);
+    Places::note("legend");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (!ImGui::IsItemActive()) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool left = mouse.x < area.x + area.width / 2;
+    const bool top = mouse.y < area.y + area.height / 2;
+    corner = top ? (left ? Corner::top_left : Corner::top_right) : (left ? Corner::bottom_left : Corner::bottom_right);
+}
+
 }  // namespace
 
-void draw_legend(ImDrawList& list, const Rectangle& area, const Picture& picture) {
+void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner) {
     if (!picture.map && !picture.view.overlay.show) return;
-    const float margin = theme::px(12);
     const float padding = theme::px(10);
-    const float height = add_all(nullptr, {0, 0}, picture);
-    const ImVec2 high{area.x + area.width - margin, area.y + area.height - margin};
-    const ImVec2 low{high.x - Card::width() - 2 * padding, high.y - height - 2 * padding};
-    if (low.x < area.x || low.y < area.y) return;  // no room without hiding the picture
+    const float bar = bar_height(area);
+    const ImVec2 size{Card::width() + 2 * padding, add_all(nullptr, {0, 0}, bar, picture) + 2 * padding};
+    const ImVec2 low = place_in(area, size, corner);
+    if (low.x < area.x || low.y < area.y || size.x > area.width || size.y > area.height) return;  // no room for both
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("##legend", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+    handle_drag(area, size, corner);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 high{low.x + size.x, low.y + size.y};
     list.AddRectFilled(low, high, theme::faded(theme::background, 0.9f), theme::px(4));
     list.AddRect(low, high, theme::outline, theme::px(4));
-    (void)add_all(&list, {low.x + padding, low.y + padding}, picture);
+    (void)add_all(&list, {low.x + padding, low.y + padding}, bar, picture);
+    ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace kd

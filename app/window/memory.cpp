@@ -45,6 +45,9 @@ WindowMemory recall() {
         memory.sizes.left = number(json, "left", 100.0f, 2000.0f, memory.sizes.left);
         memory.sizes.right = number(json, "right", 100.0f, 2000.0f, memory.sizes.right);
         memory.sizes.bottom = number(json, "bottom", 50.0f, 2000.0f, memory.sizes.bottom);
+        memory.maximised = flag(json, "maximised", false);
+        memory.settings.text_scale = number(json, "text_scale", least_text_scale, largest_text_scale, 1.0f);
+        memory.settings.legend_corner = Corner(number(json, "legend_corner", 0, 3, int(Corner::bottom_right)));
         memory.settings.timing = flag(json, "timing", true);
         memory.settings.legend = flag(json, "legend", true);
     } catch (const std::exception&) {
@@ -58,10 +61,17 @@ void remember(const WindowMemory& memory) {
     if (file.empty()) return;
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    const Json json{{"width", memory.width},           {"height", memory.height},
-                    {"left", memory.sizes.left},       {"right", memory.sizes.right},
-                    {"bottom", memory.sizes.bottom},   {"timing", memory.settings.timing},
-                    {"legend", memory.settings.legend}};
+    const WindowSettings& settings = memory.settings;
+    const Json json{{"width", memory.width},
+                    {"height", memory.height},
+                    {"maximised", memory.maximised},
+                    {"left", memory.sizes.left},
+                    {"right", memory.sizes.right},
+                    {"bottom", memory.sizes.bottom},
+                    {"text_scale", settings.text_scale},
+                    {"timing", settings.timing},
+                    {"legend", settings.legend},
+                    {"legend_corner", int(settings.legend_corner)}};
     try {
         write_file(file, json_text(json));
     } catch (const std::exception&) {

@@ -7,7 +7,8 @@
 namespace kd {
 
 struct WindowMemory {
-    int width = 1280, height = 720;
+    int width = 0, height = 0;  // 0: never opened before
+    bool maximised = false;
     LayoutSizes sizes;
     WindowSettings settings;
 };

@@ -30,22 +30,48 @@ Json messages_json(const EngineState& state) {
     return list;
 }
 
-}  // namespace
+Json json_of(Vec3 v) { return {json_number(v.x), json_number(v.y), json_number(v.z)}; }
 
-std::string state_json(const EngineState& state, const Edit& edit, const Rectangle& picture) {
+Json json_of(const Rectangle& r) { return Json::array({r.x, r.y, r.width, r.height}); }
+
+Json json_of(const Places& places) {
+    Json json = Json::object();
+    for (const auto& [label, where] : places.all()) json[label] = json_of(where);
+    return json;
+}
+
+Json json_of(const WindowSettings& window) {
+    return {{"panels", window.panels},
+            {"help", window.help},
+            {"legend", window.legend},
+            {"legend_corner", int(window.legend_corner)},
+            {"text_scale", json_number(window.text_scale)}};
+}
+
+/// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
+Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state);
-    json["window"] = {{"panels", edit.window.panels}, {"help", edit.window.help}};
-    json["picture_area"] = {picture.x, picture.y, picture.width, picture.height};
+    json["early_z"] = state.session.early_z == EarlyZ::working ? "working" : "as-published";
+    json["shaded_pixels"] = state.picture->traced.shaded_pixels;
+    json["camera"] = {{"eye", json_of(state.camera.eye)}, {"target", json_of(state.camera.target)}};
+    json["window"] = json_of(edit.window);
+    json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
     json["pinned"] = json_of(state.pinned);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
-    return json_text(json);
+    return json;
 }
 
-void StateFile::update(const EngineState& state, const Edit& edit, const Rectangle& picture, bool visible_change) {
-    if (path_.empty() || !visible_change || state.stale() || state.working()) return;
-    const std::string text = state_json(state, edit, picture);
+}  // namespace
+
+void StateFile::update(const EngineState& state, const Edit& edit, const Rectangle& picture, const Places& places) {
+    const bool building = state.building.active;
+    if (path_.empty() || (!building && (state.stale() || state.working()))) return;
+    Json json = building ? Json::object() : whole_state(state, edit, picture);
+    json["building"] = building;
+    json["places"] = json_of(places);
+    const std::string text = json_text(json);
     if (text == written_) return;
     write_file(path_, text);
     written_ = text;

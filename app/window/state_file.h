@@ -4,23 +4,21 @@
 #include <string>
 
 #include "app/panels/edit.h"
-#include "app/window/layout.h"
+#include "app/window/places.h"
 
 namespace kd {
 
-/// Writes a JSON file each time the picture is complete and something in it changed. Off for an empty path.
+/// Writes a JSON file whenever the picture is complete and something in it changed, and a short one while a tree is built:
+/// that it is, and where the controls are. Off for an empty path.
 class StateFile {
   public:
     explicit StateFile(std::string path) : path_(std::move(path)) {}
 
-    void update(const EngineState& state, const Edit& edit, const Rectangle& picture, bool visible_change);
+    void update(const EngineState& state, const Edit& edit, const Rectangle& picture, const Places& places);
 
   private:
     std::string path_;
     std::string written_;
 };
-
-/// Settings, tree, counter totals, hovered and pinned pixel: what the file holds and the JSON export too.
-[[nodiscard]] std::string state_json(const EngineState& state, const Edit& edit, const Rectangle& picture);
 
 }  // namespace kd

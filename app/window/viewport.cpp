@@ -74,12 +74,12 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     if (!image_.empty()) {
         list.AddImage(image_.id(), corner, end, {0, 0}, {1, 1}, dim ? IM_COL32(140, 140, 140, 255) : IM_COL32_WHITE);
         draw_marks(list, area, state, edit, {1 / density.x, 1 / density.y});
-        if (edit.window.legend && uploaded_) draw_legend(list, area, *uploaded_);
     }
     draw_messages(list, area, state, now);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
+    if (edit.window.legend && uploaded_) draw_legend(area, *uploaded_, edit.window.legend_corner);
 }
 
 void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edit& edit) {

@@ -36,8 +36,8 @@ class Viewport {
 /// Crosshair of the pinned pixel and the cells along its ray. `scale` is window pixels per picture pixel.
 void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale);
 
-/// What the colours of the picture mean, in its bottom right corner.
-void draw_legend(ImDrawList& list, const Rectangle& area, const Picture& picture);
+/// What the colours of the picture mean, in a corner of it that people can drag it out of.
+void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner);
 
 /// Remarks of the last seconds, in the picture's top left corner.
 void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now);

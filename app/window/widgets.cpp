@@ -2,25 +2,50 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
+#include "app/window/places.h"
 #include "app/window/theme.h"
 
 namespace kd::widgets {
 
 namespace {
 
-constexpr float label_share = 0.42f;
+constexpr float label_share = 0.46f;
 
-/// Draws the label and leaves the cursor where the row's control begins; the control takes the rest of the width.
-std::string begin_row(const char* label, std::string_view tooltip) {
-    const float left = ImGui::GetCursorPosX();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    hint(tooltip);
-    ImGui::SameLine(0, 0);
-    ImGui::SetCursorPosX(left + ImGui::GetContentRegionMax().x - left - control_width());
-    ImGui::SetNextItemWidth(control_width());
-    return std::string("##") + label;
+/// Identity of a control whose label stands elsewhere.
+std::string hidden(const char* label) { return std::string("##") + label; }
+
+/// The lines of an open list.
+bool choose_in_list(const char* label, std::string& name, const std::vector<Option>& options) {
+    const Section section(label);
+    bool changed = false;
+    for (const Option& option : options) {
+        if (ImGui::Selectable(option.name.c_str(), option.name == name) && option.name != name) {
+            name = option.name;
+            changed = true;
+        }
+        Places::note(option.name);
+        hint(option.summary);
+    }
+    return changed;
+}
+
+/// A tooltip over the rows of a panel or a list would hide what it is about: it goes beside columns and above what lies at
+/// the bottom.
+void place_tooltip() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    const float gap = theme::px(8);
+    if (width < 0.4f * io.DisplaySize.x) {
+        const bool left = corner.x + width / 2 < io.DisplaySize.x / 2;
+        ImGui::SetNextWindowPos({left ? corner.x + width + gap : corner.x - gap, io.MousePos.y}, ImGuiCond_Always,
+                                {left ? 0.0f : 1.0f, 0});
+    } else if (corner.y > io.DisplaySize.y / 2) {
+        ImGui::SetNextWindowPos({std::min(io.MousePos.x, io.DisplaySize.x - theme::px(330)), corner.y - gap},
+                                ImGuiCond_Always, {0, 1});
+    }
 }
 
 }  // namespace
@@ -30,8 +55,19 @@ float control_width() {
     return std::floor(width * (1 - label_share));
 }
 
+void begin_row(const char* label, std::string_view tooltip) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    hint(tooltip);
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(left + ImGui::GetContentRegionMax().x - left - control_width());
+    ImGui::SetNextItemWidth(control_width());
+}
+
 void hint(std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    place_tooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(8), theme::px(6)});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(theme::px(300));
@@ -73,23 +109,27 @@ void note(std::string_view text, ImU32 colour) {
 
 bool slider(const char* label, float& number, float low, float high, const char* format, std::string_view tooltip,
             bool logarithmic) {
-    const std::string id = begin_row(label, tooltip);
+    begin_row(label, tooltip);
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    const bool changed = ImGui::SliderFloat(id.c_str(), &number, low, high, format, flags);
+    const bool changed = ImGui::SliderFloat(hidden(label).c_str(), &number, low, high, format, flags);
+    Places::note(label);
     hint(tooltip);
     return changed;
 }
 
 bool slider(const char* label, int& number, int low, int high, const char* format, std::string_view tooltip) {
-    const std::string id = begin_row(label, tooltip);
-    const bool changed = ImGui::SliderInt(id.c_str(), &number, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+    begin_row(label, tooltip);
+    const bool changed =
+        ImGui::SliderInt(hidden(label).c_str(), &number, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+    Places::note(label);
     hint(tooltip);
     return changed;
 }
 
 bool toggle(const char* label, bool& on, std::string_view tooltip) {
-    const std::string id = begin_row(label, tooltip);
-    const bool changed = ImGui::Checkbox(id.c_str(), &on);
+    begin_row(label, tooltip);
+    const bool changed = ImGui::Checkbox(hidden(label).c_str(), &on);
+    Places::note(label);
     hint(tooltip);
     return changed;
 }
@@ -98,37 +138,51 @@ bool check(const char* label, bool& on, std::string_view tooltip) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
     const bool changed = ImGui::Checkbox(label, &on);
     ImGui::PopStyleVar();
+    Places::note(label);
     hint(tooltip);
     return changed;
 }
 
-bool choice(const char* label, int& index, int count, const std::function<std::string(int)>& name,
-            const std::function<std::string(int)>& summary, std::string_view tooltip) {
-    const std::string id = begin_row(label, tooltip);
-    bool changed = false;
-    const bool known = index >= 0 && index < count;
-    ImGui::SetNextWindowSizeConstraints({control_width(), 0}, {1e4f, theme::px(420)});
-    if (ImGui::BeginCombo(id.c_str(), known ? name(index).c_str() : "")) {
-        for (int i = 0; i < count; ++i) {
-            ImGui::PushID(i);
-            if (ImGui::Selectable(name(i).c_str(), i == index) && i != index) {
-                index = i;
-                changed = true;
-            }
-            hint(summary(i));
-            ImGui::PopID();
-        }
-        ImGui::EndCombo();
-    } else {
-        hint(known ? std::string(tooltip) + "\n\n" + summary(index) : std::string(tooltip));
+bool combo(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip,
+           float width) {
+    ImGui::SetNextItemWidth(width);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {1e4f, theme::px(480)});
+    const bool open = ImGui::BeginCombo(hidden(label).c_str(), name.c_str(), ImGuiComboFlags_HeightLargest);
+    if (!open) {
+        Places::note(label);
+        const auto known = std::ranges::find(options, name, &Option::name);
+        hint(known != options.end() ? fmt::format("{}\n\n{}", tooltip, known->summary) : std::string(tooltip));
+        return false;
     }
+    const bool changed = choose_in_list(label, name, options);
+    ImGui::EndCombo();
     return changed;
+}
+
+bool choice(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip) {
+    begin_row(label, tooltip);
+    return combo(label, name, options, tooltip, control_width());
+}
+
+bool choice(const char* label, int& index, const std::vector<Option>& options, std::string_view tooltip) {
+    std::string name = index >= 0 && index < int(options.size()) ? options[std::size_t(index)].name : "";
+    if (!choice(label, name, options, tooltip)) return false;
+    index = int(std::ranges::find(options, name, &Option::name) - options.begin());
+    return true;
+}
+
+bool fold(const char* label, bool open_at_first) {
+    ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
+    const bool open = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+    Places::note(label);
+    return open;
 }
 
 bool button(const char* label, std::string_view tooltip, bool enabled, float width) {
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(label, {width, 0});
     ImGui::EndDisabled();
+    Places::note(label);
     hint(tooltip);
     return pressed;
 }
@@ -141,6 +195,7 @@ bool segment(const char* label, bool on, std::string_view tooltip) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::background);
     }
     const bool pressed = ImGui::Button(label);
+    Places::note(label);
     if (on) ImGui::PopStyleColor(4);
     hint(tooltip);
     return pressed;

@@ -1,11 +1,10 @@
 // The rows that panels are made of: label at the left, control or value at the right, a tooltip on both.
 #pragma once
 
-#include <functional>
 #include <imgui.h>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kd::widgets {
 
@@ -31,9 +30,36 @@ bool toggle(const char* label, bool& on, std::string_view tooltip);
 /// The same with the label at the right of the box: for rows that are no wider than both.
 bool check(const char* label, bool& on, std::string_view tooltip);
 
-/// One of several; `name(i)` and `summary(i)` describe them. True where another was chosen.
-bool choice(const char* label, int& index, int count, const std::function<std::string(int)>& name,
-            const std::function<std::string(int)>& summary, std::string_view tooltip);
+/// Begins a row: the label at the left, the cursor where the control begins, which takes the rest of the width.
+void begin_row(const char* label, std::string_view tooltip);
+
+/// One of several things to choose from.
+struct Option {
+    std::string name, summary;
+};
+
+/// Of a table whose entries have a name, a summary, and maybe a title.
+template <class Table>
+[[nodiscard]] std::vector<Option> options_of(const Table& table) {
+    std::vector<Option> options;
+    for (const auto& entry : table) {
+        std::string summary(entry.summary);
+        if constexpr (requires { entry.title; }) summary = std::string(entry.title) + ": " + summary;
+        options.push_back({std::string(entry.name), summary});
+    }
+    return options;
+}
+
+/// True where another was chosen.
+bool choice(const char* label, int& index, const std::vector<Option>& options, std::string_view tooltip);
+/// The same by the name of the option.
+bool choice(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip);
+/// The same without a row of its own, `width` wide; `name` may be none of the options.
+bool combo(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip,
+           float width);
+
+/// A line that opens and closes what follows; true while open.
+bool fold(const char* label, bool open_at_first);
 
 /// A button as wide as the panel, or `width`.
 bool button(const char* label, std::string_view tooltip, bool enabled = true, float width = -1);

@@ -7,7 +7,7 @@ namespace kd {
 
 int run_window(const Session& start, std::stop_token stop) {
     WindowMemory memory = recall();
-    GlfwWindow window("kdscope", memory.width, memory.height);
+    GlfwWindow window("kdscope", {memory.width, memory.height}, memory.maximised);
     {
         WindowLoop loop(window, start, memory);
         loop.run(stop);

@@ -14,6 +14,7 @@
 #include "app/window/bars.h"
 #include "app/window/exporting.h"
 #include "app/window/help.h"
+#include "app/window/home_path.h"
 #include "app/window/keys.h"
 #include "app/window/theme.h"
 
@@ -62,22 +63,22 @@ WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMem
       state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes) {
     edit_.window = memory.settings;
     std::error_code error;
-    edit_.window.folder = std::filesystem::current_path(error).string();
+    edit_.window.folder = home_short(std::filesystem::current_path(error));
     (void)gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
     install_callbacks(window.handle(), *this);
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    theme::apply(window.content_scale());
+    ImGui::GetIO().UserData = &places_;
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    apply_scale();
 
     EngineOptions options;
     options.open_gl = window.tracing_context();
     options.wake = [] { glfwPostEmptyEvent(); };
     Session session = start;
-    int width = 0, height = 0;
-    glfwGetWindowSize(window.handle(), &width, &height);
-    layout_ = divide(float(width), float(height), sizes_, window.content_scale(), true);
+    const WindowSize size = window.size();
+    layout_ = divide(float(size.width), float(size.height), sizes_, scale_, true);
     session.width = int(layout_.picture.width);
     session.height = int(layout_.picture.height);
     engine_ = std::make_unique<Engine>(session, std::move(options));
@@ -93,9 +94,8 @@ WindowLoop::~WindowLoop() {
 }
 
 WindowMemory WindowLoop::memory() const {
-    WindowMemory memory{0, 0, sizes_, edit_.window};
-    glfwGetWindowSize(window_.handle(), &memory.width, &memory.height);
-    return memory;
+    const WindowSize size = window_.size();
+    return {size.width, size.height, window_.maximised(), sizes_, edit_.window};
 }
 
 void WindowLoop::on_input(const char* kind) {
@@ -144,7 +144,19 @@ void WindowLoop::draw_frame() {
     present_frame();
 }
 
+/// Between two frames: Dear ImGui takes no other fonts within one.
+void WindowLoop::apply_scale() {
+    const float wanted = window_.content_scale() * edit_.window.text_scale;
+    if (wanted == scale_) return;
+    scale_ = wanted;
+    theme::apply(scale_);
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new fonts
+    lively_frames_ = frames_after_input;
+}
+
 void WindowLoop::lay_out_frame() {
+    apply_scale();
+    places_.clear();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -157,11 +169,10 @@ void WindowLoop::lay_out_frame() {
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (size.x >= 1 && size.y >= 1) {  // nothing to see of a minimised window
-        const float scale = theme::px(100) / 100;
-        layout_ = divide(size.x, size.y, sizes_, scale, edit_.window.panels);
+        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels);
         viewport_->draw(layout_.picture, engine_->state(), now, seconds, edit_);
         draw_panels(layout_);
-        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale);
+        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_);
         draw_help(edit_);
     }
     ImGui::Render();
@@ -179,7 +190,7 @@ void WindowLoop::present_frame() {
     const std::shared_ptr<const Picture> shown = engine_->state().picture;
     glfwSwapBuffers(window_.handle());
     log_.presented(shown.get(), engine_->now());
-    state_file_.update(engine_->state(), edit_, layout_.picture, true);
+    state_file_.update(engine_->state(), edit_, layout_.picture, places_);
 }
 
 void WindowLoop::draw_panels(const Layout& layout) {
@@ -195,11 +206,12 @@ void WindowLoop::draw_panels(const Layout& layout) {
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
             const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
             const bool foldable = place != PanelPlace::bottom;
-            if (foldable && !ImGui::CollapsingHeader(panel.title, flags)) continue;
-            ImGui::PushID(panel.title);
+            const bool open = !foldable || ImGui::CollapsingHeader(panel.title, flags);
+            if (foldable) Places::note(panel.title);
+            if (!open) continue;
+            const Section section(panel.title);
             panel.draw(state, edit_);
-            ImGui::PopID();
-            ImGui::Dummy({0, theme::px(4)});
+            ImGui::Dummy({0, theme::px(1)});
         }
         ImGui::End();
     };
@@ -209,9 +221,12 @@ void WindowLoop::draw_panels(const Layout& layout) {
 }
 
 void WindowLoop::apply_keys() {
-    const bool typing = ImGui::GetIO().WantTextInput;
-    for (const KeyPress& press : keys_)
-        if (!typing && !viewport_->flying()) apply_key(press.key, press.modifiers, engine_->state(), edit_);
+    const bool list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    const bool meant_elsewhere = list_open || ImGui::GetIO().WantTextInput || viewport_->flying();
+    for (const KeyPress& press : keys_) {
+        if (!meant_elsewhere) apply_key(press.key, press.modifiers, engine_->state(), edit_);
+        if (list_open && press.key == GLFW_KEY_ESCAPE) ImGui::SetWindowFocus(nullptr);  // closes lists
+    }
     keys_.clear();
     for (const std::string& path : dropped_) edits::choose_scene(edit_, path);
     dropped_.clear();
@@ -237,11 +252,11 @@ void WindowLoop::carry_out(Action action) {
 void WindowLoop::write_files(Action action) {
     if (!engine_->state().picture) return;
     try {
-        const std::string& folder = edit_.window.folder;
+        const std::string folder = home_long(edit_.window.folder).string();
         const auto path = action == Action::export_window ? export_window(read_window(), engine_->state(), folder)
                                                           : export_file(action, engine_->state(), folder, font_);
-        edit_.last_export = path.string();
-        engine_->say(false, "wrote " + path.string());
+        edit_.last_export = home_short(path);
+        engine_->say(false, "wrote " + edit_.last_export);
     } catch (const std::exception& error) {
         engine_->say(true, error.what());
     }

@@ -12,6 +12,7 @@
 #include "app/window/glfw_window.h"
 #include "app/window/layout.h"
 #include "app/window/memory.h"
+#include "app/window/places.h"
 #include "app/window/state_file.h"
 #include "app/window/viewport.h"
 
@@ -42,6 +43,7 @@ class WindowLoop {
     void wait() const;
     void draw_frame();
     void lay_out_frame();
+    void apply_scale();
     void present_frame();
     void draw_panels(const Layout& layout);
     void apply_keys();
@@ -58,7 +60,9 @@ class WindowLoop {
     std::unique_ptr<Viewport> viewport_;
     EventLog log_;
     StateFile state_file_;
+    Places places_;
     LayoutSizes sizes_;
+    float scale_ = 0;  // that theme and fonts were made for
     Edit edit_;
     Layout layout_;
     std::vector<KeyPress> keys_;

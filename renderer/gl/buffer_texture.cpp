@@ -3,6 +3,7 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "renderer/gl/gl_debug.h"
 #include "renderer/gl/gl_error.h"
 
 namespace kd {
@@ -16,6 +17,7 @@ BufferTexture::BufferTexture(const GlApi& gl, GLenum format, std::span<const std
     gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
     gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(stored.size()), stored.data(), GL_STATIC_DRAW);
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.id());
+    label_object(gl, GL_TEXTURE, texture_.id(), what);
     gl.TexBuffer(GL_TEXTURE_BUFFER, format, buffer_.id());
     gl.BindTexture(GL_TEXTURE_BUFFER, 0);
     gl.BindBuffer(GL_TEXTURE_BUFFER, 0);

@@ -13,6 +13,7 @@ namespace {
 class AdoptedContext final : public Context {
   public:
     explicit AdoptedContext(GlApi::GetProc get_proc) : Context(ContextKind::adopted) { load(std::move(get_proc)); }
+    ~AdoptedContext() override { forget_messages(); }
 
     /// Its owner makes it current.
     void make_current() override {}
@@ -107,6 +108,7 @@ void Context::load(GlApi::GetProc get_proc) {
     if (!missing.empty())
         throw ContextError(fmt::format("{} on '{}' lacks {} of its functions, first {}", version_, renderer_,
                                        missing.size(), missing.front()));
+    if (wants_gl_messages()) collect_gl_messages(gl_, messages_);
 }
 
 }  // namespace kd

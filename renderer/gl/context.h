@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/gl/gl_api.h"
+#include "renderer/gl/gl_debug.h"
 
 namespace kd {
 
@@ -45,11 +45,13 @@ class Context {
 
   protected:
     explicit Context(ContextKind kind) : kind_(kind) {}
+    void forget_messages() { forget_gl_messages(gl_); }  // before a context that lives on is left
     void load(GlApi::GetProc load);  // fills gl_, renderer_, version_, software_; ContextError below GL 4.3
 
   private:
     ContextKind kind_;
     GlApi gl_;
+    GlMessages messages_;
     std::string renderer_, version_;
     bool software_ = false;
 };

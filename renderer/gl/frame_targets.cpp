@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/gl/gl_debug.h"
 #include "renderer/gl/gl_error.h"
 
 namespace kd {
@@ -12,13 +13,16 @@ constexpr std::array<float, 4> no_colour{0, 0, 0, 0};
 constexpr GLuint no_hit_texel[4] = {~0u, 0, 0, 0};  // triangle -1
 constexpr GLuint no_counters[4] = {0, 0, 0, 0};
 
+std::string name_of(Pass pass) { return std::string(pass_names[static_cast<std::size_t>(pass)]); }
+
 constexpr GLint index_of(Output output) { return static_cast<GLint>(output); }
 
 }  // namespace
 
-GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height) {
+GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height, std::string_view name) {
     GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    label_object(gl, GL_TEXTURE, texture.id(), name);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -29,10 +33,11 @@ GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height) {
     return texture;
 }
 
-GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
-                               GLuint depth) {
+GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs, GLuint depth,
+                               std::string_view name) {
     GlFramebuffer framebuffer(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    label_object(gl, GL_FRAMEBUFFER, framebuffer.id(), name);
     std::array<GLenum, output_count> buffers{};
     for (unsigned i = 0; i < output_count; ++i) {
         const bool there = outputs[i] && *outputs[i];
@@ -43,19 +48,21 @@ GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture
     if (depth) gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError(fmt::format("OpenGL: the driver refuses a framebuffer of the passes (0x{:04x})", status));
+        throw GlError(fmt::format("OpenGL: the driver refuses the framebuffer of {} (0x{:04x})", name, status));
     return framebuffer;
 }
 
 FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
-    colour_ = texture(gl, GL_RGBA32F, 16);
-    depth_ = texture(gl, GL_DEPTH_COMPONENT32F, 4);
+    colour_ = texture(gl, GL_RGBA32F, 16, "colour");
+    depth_ = texture(gl, GL_DEPTH_COMPONENT32F, 4, "depth");
     LayerTargets& prim = layers_[0];
     LayerTargets& shade = layers_[1];
-    prim = make_layer(gl, true);
-    shade = make_layer(gl, true);
-    framebuffers_[0] = attach(gl, {&prim.counters_a, &prim.counters_b, &prim.hit, nullptr, nullptr});
-    framebuffers_[1] = attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr});
+    prim = make_layer(gl, true, name_of(Pass::rt_prim));
+    shade = make_layer(gl, true, name_of(Pass::shade_prim));
+    framebuffers_[0] =
+        attach(gl, {&prim.counters_a, &prim.counters_b, &prim.hit, nullptr, nullptr}, name_of(Pass::rt_prim));
+    framebuffers_[1] =
+        attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr}, name_of(Pass::shade_prim));
     if (key.bounces > 0) make_reflection_targets(gl);
 
     gl.Disable(GL_SCISSOR_TEST);
@@ -69,36 +76,39 @@ FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
 void FrameTargets::make_reflection_targets(const GlApi& gl) {
     LayerTargets& refl = layers_[2];
     LayerTargets& shade = layers_[3];
-    refl = make_layer(gl, key_.bounces > 1);
-    shade = make_layer(gl, true);
-    if (key_.bounces > 1) earlier_ = make_layer(gl, true);
+    refl = make_layer(gl, key_.bounces > 1, name_of(Pass::rt_refl));
+    shade = make_layer(gl, true, name_of(Pass::shade_refl));
+    if (key_.bounces > 1) earlier_ = make_layer(gl, true, "earlier bounces");
     for (std::size_t i = 0; i < std::size_t(key_.bounces); ++i) {
         PathTargets& path = paths_[i];
-        path.hit = texture(gl, GL_RGBA32UI, 16);
-        path.direction = texture(gl, GL_RGBA32F, 16);
-        path.weight = texture(gl, GL_RGBA32F, 16);
-        bounces_[i] = attach(gl, {&refl.counters_a, &refl.counters_b, &path.hit, &path.direction, &path.weight});
+        path.hit = texture(gl, GL_RGBA32UI, 16, "path hit");
+        path.direction = texture(gl, GL_RGBA32F, 16, "path direction");
+        path.weight = texture(gl, GL_RGBA32F, 16, "path weight");
+        bounces_[i] = attach(gl, {&refl.counters_a, &refl.counters_b, &path.hit, &path.direction, &path.weight},
+                             name_of(Pass::rt_refl));
     }
-    framebuffers_[3] = attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr});
+    framebuffers_[3] =
+        attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr}, name_of(Pass::shade_refl));
 }
 
-GlTexture FrameTargets::texture(const GlApi& gl, GLenum format, int bytes_per_texel) {
+GlTexture FrameTargets::texture(const GlApi& gl, GLenum format, int bytes_per_texel, const std::string& name) {
     bytes_ += std::int64_t(key_.width) * key_.height * bytes_per_texel;
-    return make_texture(gl, format, key_.width, key_.height);
+    return make_texture(gl, format, key_.width, key_.height, name);
 }
 
-LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit) {
+LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit, const std::string& name) {
     LayerTargets layer;
-    if (with_hit) layer.hit = texture(gl, GL_RGBA32UI, 16);
+    if (with_hit) layer.hit = texture(gl, GL_RGBA32UI, 16, name + " hit");
     if (key_.counters) {
-        layer.counters_a = texture(gl, GL_RGBA32UI, 16);
-        layer.counters_b = texture(gl, GL_RGBA32UI, 16);
+        layer.counters_a = texture(gl, GL_RGBA32UI, 16, name + " counters a");
+        layer.counters_b = texture(gl, GL_RGBA32UI, 16, name + " counters b");
     }
     return layer;
 }
 
-GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs) const {
-    return make_framebuffer(gl, outputs, depth_.id());
+GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
+                                   std::string_view name) const {
+    return make_framebuffer(gl, outputs, depth_.id(), name);
 }
 
 GLuint FrameTargets::first_reflection_hit() const {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "renderer/gl/bindings.h"
 #include "renderer/gl/object.h"
@@ -64,18 +66,19 @@ class FrameTargets {
     std::array<GlFramebuffer, pass_count> framebuffers_;
     std::array<GlFramebuffer, 2> bounces_;
 
-    GlTexture texture(const GlApi& gl, GLenum format, int bytes_per_texel);
-    LayerTargets make_layer(const GlApi& gl, bool with_hit);
+    GlTexture texture(const GlApi& gl, GLenum format, int bytes_per_texel, const std::string& name);
+    LayerTargets make_layer(const GlApi& gl, bool with_hit, const std::string& name);
     void make_reflection_targets(const GlApi& gl);
-    GlFramebuffer attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs) const;
+    GlFramebuffer attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
+                         std::string_view name) const;
     void clear_framebuffer(const GlApi& gl, GLuint framebuffer, const float* colour) const;
 };
 
 /// A texture with one level and no filtering.
-[[nodiscard]] GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height);
+[[nodiscard]] GlTexture make_texture(const GlApi& gl, GLenum format, int width, int height, std::string_view name);
 
 /// A framebuffer of these textures (null or empty = none) and depth; GlError where the driver refuses it.
 [[nodiscard]] GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
-                                             GLuint depth);
+                                             GLuint depth, std::string_view name);
 
 }  // namespace kd

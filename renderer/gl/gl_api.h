@@ -32,6 +32,7 @@
     X(CopyImageSubData, COPYIMAGESUBDATA)                                                                              \
     X(CreateProgram, CREATEPROGRAM)                                                                                    \
     X(CreateShader, CREATESHADER)                                                                                      \
+    X(DebugMessageCallback, DEBUGMESSAGECALLBACK)                                                                      \
     X(DeleteBuffers, DELETEBUFFERS)                                                                                    \
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS)                                                                          \
     X(DeleteProgram, DELETEPROGRAM)                                                                                    \
@@ -57,6 +58,7 @@
     X(GetBufferSubData, GETBUFFERSUBDATA)                                                                              \
     X(GetError, GETERROR)                                                                                              \
     X(GetIntegerv, GETINTEGERV)                                                                                        \
+    X(GetObjectLabel, GETOBJECTLABEL)                                                                                  \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                                                            \
     X(GetProgramiv, GETPROGRAMIV)                                                                                      \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)                                                                        \
@@ -66,7 +68,10 @@
     X(GetTexImage, GETTEXIMAGE)                                                                                        \
     X(IsEnabled, ISENABLED)                                                                                            \
     X(LinkProgram, LINKPROGRAM)                                                                                        \
+    X(ObjectLabel, OBJECTLABEL)                                                                                        \
     X(PixelStorei, PIXELSTOREI)                                                                                        \
+    X(PopDebugGroup, POPDEBUGGROUP)                                                                                    \
+    X(PushDebugGroup, PUSHDEBUGGROUP)                                                                                  \
     X(QueryCounter, QUERYCOUNTER)                                                                                      \
     X(ReadPixels, READPIXELS)                                                                                          \
     X(Scissor, SCISSOR)                                                                                                \
@@ -81,6 +86,8 @@
 
 namespace kd {
 
+struct GlMessages;
+
 /// One table of functions per context. `gl.DrawArrays(...)` is glDrawArrays.
 struct GlApi {
     using GetProc = std::function<void*(const char* name)>;
@@ -88,6 +95,8 @@ struct GlApi {
 #define KD_GL_MEMBER(name, NAME) PFNGL##NAME##PROC name = nullptr;
     KD_GL_FUNCTIONS(KD_GL_MEMBER)
 #undef KD_GL_MEMBER
+
+    GlMessages* messages = nullptr;  // what the driver said, where it is asked to (renderer/gl/gl_debug.h)
 
     /// Fills the table from eglGetProcAddress, OSMesaGetProcAddress, glfwGetProcAddress or alike, and returns the names
     /// that were not found.

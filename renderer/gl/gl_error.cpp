@@ -1,6 +1,9 @@
 #include "renderer/gl/gl_error.h"
 
 #include <fmt/format.h>
+#include <utility>
+
+#include "renderer/gl/gl_debug.h"
 
 namespace kd {
 
@@ -17,6 +20,12 @@ std::string_view name_of_error(GLenum code) {
     }
 }
 
+/// The driver's own words since the last call, first the oldest.
+std::string driver_says(const GlApi& gl) {
+    if (!gl.messages || gl.messages->errors.empty()) return "";
+    return fmt::format("; the driver says: {}", fmt::join(std::exchange(gl.messages->errors, {}), "; "));
+}
+
 }  // namespace
 
 void check_gl(const GlApi& gl, std::string_view step) {
@@ -25,7 +34,7 @@ void check_gl(const GlApi& gl, std::string_view step) {
     // Older errors in the queue would be blamed on the next step. A lost context may report errors without end.
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
     }
-    throw GlError(fmt::format("OpenGL: {} while {} (0x{:04x})", name_of_error(code), step, code));
+    throw GlError(fmt::format("OpenGL: {} while {} (0x{:04x}){}", name_of_error(code), step, code, driver_says(gl)));
 }
 
 }  // namespace kd

@@ -13,7 +13,8 @@ struct GlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// GlError naming `step` where glGetError reports anything since the last call.
+/// GlError naming `step` where glGetError reports anything since the last call, with the driver's words if KD_GL_DEBUG
+/// asks for them.
 void check_gl(const GlApi& gl, std::string_view step);
 
 }  // namespace kd

@@ -39,6 +39,7 @@ ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     settings.trace = config;
     settings.needs = needs_of(config);
     settings.limited_loops = software;
+    settings.corrected_rounding = corrected_rounding;
     settings.stack_size = scene().stack_size();
     return settings;
 }
@@ -100,6 +101,8 @@ GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& c
 }
 
 unsigned GlTracer::colour_texture() const { return impl_->targets.colour(); }
+
+void GlTracer::correct_rounding(bool on) { impl_->corrected_rounding = on; }
 
 GlMemory GlTracer::memory() const {
     GlMemory memory;

@@ -70,6 +70,10 @@ class GlTracer {
     void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters);
 
+    /// Whether quotients and roots are corrected to the nearest number (shaders/shared/rounding.glsl): on hardware they are
+    /// unless told otherwise, and hits and counters then equal the CPU's.
+    void correct_rounding(bool on);
+
     [[nodiscard]] GlMemory memory() const;
 
     struct Impl;  // renderer/gl/gl_tracer_impl.h

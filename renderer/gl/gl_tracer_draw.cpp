@@ -1,3 +1,4 @@
+#include "renderer/gl/gl_debug.h"
 #include "renderer/gl/gl_tracer_impl.h"
 
 namespace kd {
@@ -114,6 +115,7 @@ class TileDraw {
     void pass(Pass pass, GLuint framebuffer) {
         const auto colour = static_cast<GLuint>(Output::colour);
         const bool adds = pass == Pass::shade_refl;
+        const GlGroup group(gl_, pass_names[static_cast<std::size_t>(pass)]);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         if (adds) {
             gl_.Enablei(GL_BLEND, colour);

@@ -14,6 +14,7 @@ namespace kd {
 struct GlTracer::Impl {
     const GlApi& gl;
     bool software;
+    bool corrected_rounding = !software;
     GlLimits limits;
     ProgramCache programs;
     PassTimer timer;

@@ -31,12 +31,12 @@ class RayBatch {
     RayBatch(GlTracer::Impl& tracer, bool counters, std::size_t largest)
         : t_(tracer), gl_(tracer.gl), width_(int(std::min<std::size_t>(largest, longest_row))),
           height_(int((largest + std::size_t(width_) - 1) / std::size_t(width_))), counters_(counters),
-          hit_(make_texture(gl_, GL_RGBA32UI, width_, height_)) {
+          hit_(make_texture(gl_, GL_RGBA32UI, width_, height_, "ray hits")) {
         if (counters) {
-            a_ = make_texture(gl_, GL_RGBA32UI, width_, height_);
-            b_ = make_texture(gl_, GL_RGBA32UI, width_, height_);
+            a_ = make_texture(gl_, GL_RGBA32UI, width_, height_, "ray counters a");
+            b_ = make_texture(gl_, GL_RGBA32UI, width_, height_, "ray counters b");
         }
-        framebuffer_ = make_framebuffer(gl_, {&a_, &b_, &hit_, nullptr, nullptr}, 0);
+        framebuffer_ = make_framebuffer(gl_, {&a_, &b_, &hit_, nullptr, nullptr}, 0, "rays");
     }
 
     void trace(const ProgramSettings& settings, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,

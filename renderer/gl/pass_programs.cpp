@@ -46,6 +46,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
         {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)},
         {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays)},
+        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && traces)},
     };
     return key;

@@ -16,8 +16,9 @@ struct ProgramSettings {
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
-    bool later_bounce = false;   // rt_refl and shade_refl after the first bounce
-    bool limited_loops = false;  // the driver ends loops by itself (software renderers)
+    bool later_bounce = false;        // rt_refl and shade_refl after the first bounce
+    bool limited_loops = false;       // the driver ends loops by itself (software renderers)
+    bool corrected_rounding = false;  // see shaders/shared/rounding.glsl
     int stack_size = max_tree_depth;
 };
 

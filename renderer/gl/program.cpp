@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <tuple>
 
+#include "renderer/gl/gl_debug.h"
+
 namespace kd {
 
 namespace {
@@ -72,7 +74,10 @@ GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader&
     gl.LinkProgram(id_);
     GLint good = 0;
     gl.GetProgramiv(id_, GL_LINK_STATUS, &good);
-    if (good) return;
+    if (good) {
+        label_object(gl, GL_PROGRAM, id_, key.fragment);
+        return;
+    }
     const std::string log = source.map_log(link_log(gl, id_));
     gl.DeleteProgram(id_);
     throw GlError(fmt::format("shaders {} and {} do not link:\n{}", key.vertex, key.fragment, log));

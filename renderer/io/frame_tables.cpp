@@ -120,7 +120,8 @@ std::string frame_csv(const Frame& frame) {
             for (const Pass pass : passes) {
                 const Hit& hit = frame.layer(pass).hit.at(x, y);
                 const RayCounters& counters = frame.layer(pass).counters.at(x, y);
-                fmt::format_to(out, ",{},{},{},{}", hit.triangle, hit.t, hit.u, hit.v);
+                fmt::format_to(out, ",{},{},{},{}", hit.triangle, plain_zero(hit.t), plain_zero(hit.u),
+                               plain_zero(hit.v));
                 for (const CounterInfo& counter : counter_table()) fmt::format_to(out, ",{}", counters.*counter.field);
                 fmt::format_to(out, ",{}", exit_reason_name(counters.exit_reason));
             }

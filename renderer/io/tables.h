@@ -22,9 +22,13 @@ namespace kd {
 /// C notation, exact: 1.5 is "0x1.8p+0".
 [[nodiscard]] std::string hex_float(float value);
 
+/// `value`, and 0 for -0: a barycentric coordinate of -0 means nothing else than 0 and reads like a mistake.
+[[nodiscard]] inline float plain_zero(float value) { return value + 0.0f; }
+
 /// One row per pixel, row by row from the top: x, y, then for every pass that ran triangle, t, u, v, every counter and
 /// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the
-/// other passes where some pixel traced something. Floats are the shortest decimals that give the same float back.
+/// other passes where some pixel traced something. Floats are the shortest decimals that give the same float back, but
+/// for -0, which is 0.
 [[nodiscard]] std::string frame_csv(const Frame& frame);
 
 /// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t (the ray's

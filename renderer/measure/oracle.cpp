@@ -86,8 +86,8 @@ std::vector<f64::Hit> double_brute_force(const FlatScene& scene, std::span<const
 double ulps_between(float a, double b) {
     const auto nearest = float(b);
     if (!std::isfinite(a) || !std::isfinite(nearest)) return std::numeric_limits<double>::infinity();
-    const double ulp = double(std::nextafter(std::abs(nearest), std::numeric_limits<float>::infinity())) -
-                       double(std::abs(nearest));
+    const double ulp =
+        double(std::nextafter(std::abs(nearest), std::numeric_limits<float>::infinity())) - double(std::abs(nearest));
     return std::abs(double(a) - b) / ulp;
 }
 

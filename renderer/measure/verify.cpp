@@ -20,10 +20,12 @@ struct Stopped {};
 struct Mode {
     Traversal traversal;
     LeafLists lists;
+    Rules rules = Rules::robust;
     [[nodiscard]] TraceConfig config() const {
         TraceConfig trace;
         trace.traversal = traversal;
         trace.leaf_lists = lists;
+        trace.rules = rules;
         return trace;
     }
 };
@@ -68,11 +70,12 @@ class Verification {
             if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
             if (traversal.id == Traversal::naive)
                 naive_ = true;
-            else
-                modes_.push_back({traversal.id, LeafLists::references});
+            else if (config_.rules == Rules::robust || traversal.has_published_form())
+                modes_.push_back({traversal.id, LeafLists::references, config_.rules});
         }
         // One traversal shows what the other layout of the leaves does.
-        if (!modes_.empty()) modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated});
+        if (!modes_.empty())
+            modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated, config_.rules});
     }
 
     void open_contexts() {

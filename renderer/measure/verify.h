@@ -22,6 +22,7 @@ struct VerifyConfig {
     int threads = 0;
     std::vector<std::string> builders;    // empty = all
     std::vector<std::string> traversals;  // empty = all
+    Rules rules = Rules::robust;          // published ones: of the traversals that have such a form
     bool cpu = true;                      // check the CPU tracer
     std::vector<ContextKind> contexts;    // which GL contexts to check besides the CPU; empty = none
     /// Ray-triangle products that the naive traversal is given on one GL context; fewer rays are checked above it.

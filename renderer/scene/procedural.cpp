@@ -34,11 +34,16 @@ std::span<const ProceduralScene> procedural_scenes() {
     return table;
 }
 
-std::optional<Scene> make_procedural(std::string_view name, unsigned seed) {
-    const std::size_t colon = name.find(':');
-    const auto entry = std::ranges::find(procedural_scenes(), name.substr(0, colon), &ProceduralScene::name);
-    if (entry == procedural_scenes().end()) return std::nullopt;
+const ProceduralScene* find_procedural(std::string_view name) {
+    const auto entry = std::ranges::find(procedural_scenes(), name.substr(0, name.find(':')), &ProceduralScene::name);
+    return entry == procedural_scenes().end() ? nullptr : &*entry;
+}
 
+std::optional<Scene> make_procedural(std::string_view name, unsigned seed) {
+    const ProceduralScene* entry = find_procedural(name);
+    if (!entry) return std::nullopt;
+
+    const std::size_t colon = name.find(':');
     int size = entry->default_size;
     if (colon != std::string_view::npos) {
         if (entry->default_size == 0)

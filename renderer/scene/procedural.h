@@ -18,10 +18,14 @@ struct ProceduralScene {
     int largest_size;
     std::string_view summary;  // one sentence
     Scene (*make)(int size, unsigned seed);
+    bool seeded = false;  // another seed makes another scene
 };
 
 /// All of them, in the order they are listed to people.
 [[nodiscard]] std::span<const ProceduralScene> procedural_scenes();
+
+/// The entry that `name` ("ball:9000") belongs to by what stands before ':'; null where there is none.
+[[nodiscard]] const ProceduralScene* find_procedural(std::string_view name);
 
 /// The scene called `name` ("ball:9000"); nothing where the name before ':' is not procedural.
 /// Throws InputError for a size that is missing, not a number or out of range.

@@ -91,7 +91,8 @@ ProceduralScene rooms_scene() {
             .smallest_size = 0,
             .largest_size = 0,
             .summary = "25 closed rooms with a box in each, 10 000 triangles, of which the camera sees one room.",
-            .make = make_rooms};
+            .make = make_rooms,
+            .seeded = true};
 }
 
 }  // namespace kd

@@ -88,7 +88,8 @@ ProceduralScene scatter_scene() {
             .smallest_size = 1,
             .largest_size = 2000000,
             .summary = "N separate triangles of a few pixels each, all in view: neighbouring rays go separate ways.",
-            .make = make_scatter};
+            .make = make_scatter,
+            .seeded = true};
 }
 
 }  // namespace kd

@@ -101,7 +101,8 @@ ProceduralScene sheet_scene() {
             .largest_size = 2000000,
             .summary =
                 "A wavy sheet of about N triangles seen obliquely, filling the view; textured, with smooth normals.",
-            .make = make_sheet};
+            .make = make_sheet,
+            .seeded = true};
 }
 
 }  // namespace kd

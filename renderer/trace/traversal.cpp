@@ -4,7 +4,7 @@ namespace kd {
 
 namespace {
 constexpr TraversalInfo table[] = {
-#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                                   \
+#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
     {Traversal::name, label, "traverse_" #name, #published, needs_boxes, needs_stack, summary},
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL

@@ -54,6 +54,11 @@
 #define KD_COUNT_SHADED 0
 #endif
 
+// 1: the driver's own quotients and roots may be off by a few units in the last place.
+#ifndef KD_CORRECTED_ROUNDING
+#define KD_CORRECTED_ROUNDING 0
+#endif
+
 // 1: the driver ends loops after a number of iterations without a word, as llvmpipe does.
 #ifndef KD_LOOP_LIMIT
 #define KD_LOOP_LIMIT 0

@@ -4,8 +4,8 @@
 KD_FN Ray camera_ray(IN(PinholeCamera) camera, int2 pixel, int2 size)
 {
     // One rounding each: in a frame far wider than high, an error of an ulp of 1 near the middle would be many pixels.
-    PRECISE real x = real(2 * pixel.x + 1 - size.x) / real(size.x);
-    PRECISE real y = real(size.y - 2 * pixel.y - 1) / real(size.y);
+    real x = quotient(real(2 * pixel.x + 1 - size.x), real(size.x));
+    real y = quotient(real(size.y - 2 * pixel.y - 1), real(size.y));
     Ray ray;
     ray.origin = camera.eye;
     ray.direction = normalise3(add_scaled3(add_scaled3(camera.forward, camera.right, x), camera.up, y));

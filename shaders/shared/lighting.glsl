@@ -19,7 +19,7 @@ KD_FN LightSample sample_light(IN(Light) light, real3 position)
     }
     real3 towards = light.position - position;
     PRECISE real squared = dot3(towards, towards);
-    s.distance = sqrt(squared);
+    s.distance = square_root(squared);
     s.direction = normalise3(towards);
     // Kept finite for a light that lies on the surface.
     PRECISE real falloff = max(light.attenuation.x + light.attenuation.y * squared, real(1e-6));

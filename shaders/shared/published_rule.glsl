@@ -47,7 +47,7 @@ KD_FN bool clip_as_published(IN(RaySetup) s, IN(real3) inverse, real3 lower, rea
 /// Cuts the ray to the tree's bounds. False, with the exit reason told, where the ray is invalid or misses them.
 KD_FN bool enter_as_published(IN(RaySetup) s, OUT(real3) inverse, OUT(real) t_begin, OUT(real) t_end)
 {
-    inverse = real3(real(1) / s.ray.direction.x, real(1) / s.ray.direction.y, real(1) / s.ray.direction.z);
+    inverse = real3(quotient(real(1), s.ray.direction.x), quotient(real(1), s.ray.direction.y), quotient(real(1), s.ray.direction.z));
     t_begin = s.ray.t_min;
     t_end = s.ray.t_max;
     if (!valid_ray(s.ray)) {

@@ -35,7 +35,7 @@ KD_FN bool valid_ray(IN(Ray) ray)
 
 KD_FN real inverse_or_zero(real d, real smallest)
 {
-    return abs(d) <= smallest ? real(0) : real(1) / d;
+    return abs(d) <= smallest ? real(0) : quotient(real(1), d);
 }
 
 KD_FN int largest_axis(real3 a)
@@ -57,10 +57,10 @@ KD_FN real shift_towards(IN(Ray) ray, real3 lower, real3 upper, real reach)
     real extent = (upper.x - lower.x) + (upper.y - lower.y) + (upper.z - lower.z);
     if (!(reach > real(8) * extent) || !valid_ray(ray)) return real(0);
     real largest = max_component(abs(ray.direction));
-    real3 direction = scale3(ray.direction, real(1) / largest);
+    real3 direction = scale3(ray.direction, quotient(real(1), largest));
     real3 to_centre = scale3(lower + upper, real(0.5)) - ray.origin;
-    PRECISE real distance = dot3(to_centre, direction) / dot3(direction, direction) - real(2) * extent;
-    PRECISE real t = distance / largest;
+    PRECISE real distance = quotient(dot3(to_centre, direction), dot3(direction, direction)) - real(2) * extent;
+    real t = quotient(distance, largest);
     return t > ray.t_min && t < ray.t_max ? t : real(0);
 }
 

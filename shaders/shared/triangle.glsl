@@ -1,21 +1,6 @@
 // Watertight ray-triangle test: Woop, Benthin, Wald, JCGT 2(1), 2013. Two triangles that share an edge evaluate the
 // same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
 
-/// a*b minus its rounded value, exactly unless it underflows (Dekker, Numerische Mathematik 18, 1971). KD_DEKKER halves
-/// the digits: 2^12 + 1 for a float's 24 bits, 2^27 + 1 for a double's 53.
-KD_FN real product_error(real a, real b)
-{
-    PRECISE real a_scaled = a * KD_DEKKER;
-    PRECISE real a_high = a_scaled - (a_scaled - a);
-    PRECISE real a_low = a - a_high;
-    PRECISE real b_scaled = b * KD_DEKKER;
-    PRECISE real b_high = b_scaled - (b_scaled - b);
-    PRECISE real b_low = b - b_high;
-    PRECISE real product = a * b;
-    PRECISE real error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-    return error;
-}
-
 /// The rounded edge function p*q - r*s, given the sign that it has in exact arithmetic: rounding keeps the order of two
 /// products unless it makes them equal, and then what it took away decides. A triangle seen edge-on would otherwise be
 /// "hit" at a corner far from the ray.
@@ -87,12 +72,12 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     if (determinant == real(0)) return;
 
     PRECISE real scaled_t = edge_a * (s.shear.z * a.z) + edge_b * (s.shear.z * b.z) + edge_c * (s.shear.z * c.z);
-    PRECISE real t = scaled_t / determinant;
+    PRECISE real t = quotient(scaled_t, determinant);
     bool nearer = t > s.ray.t_min && (t < hit.t || (t == hit.t && triangle < hit.triangle));
     if (nearer && triangle != s.ray.source) {
         hit.triangle = triangle;
         hit.t = t;
-        hit.u = edge_b / determinant;
-        hit.v = edge_c / determinant;
+        hit.u = quotient(edge_b, determinant);
+        hit.v = quotient(edge_c, determinant);
     }
 }

@@ -1,5 +1,7 @@
 // Vector algebra written out, so that every machine adds in the same order. GLSL's own dot, cross and normalize may not.
 
+#include "rounding.glsl"
+
 KD_FN real dot3(real3 a, real3 b)
 {
     PRECISE real sum = a.x * b.x + a.y * b.y + a.z * b.z;
@@ -36,7 +38,7 @@ KD_FN real3 normalise3(real3 a)
 {
     PRECISE real squared = dot3(a, a);
     if (!(squared > real(0))) return a;
-    PRECISE real inverse = real(1) / sqrt(squared);
+    real inverse = quotient(real(1), square_root(squared));
     return scale3(a, inverse);
 }
 

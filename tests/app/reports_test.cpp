@@ -73,6 +73,18 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     EXPECT_GT(rows[2]["counters"]["restarts"], 0);
 }
 
+TEST(Bench, EarlyZAsPublishedIsTakenAndTold) {
+    const Words common{"bench",    "cornell", "--size",   "16x16",       "--rounds",    "1",
+                       "--warmup", "0",       "--tracer", "gl-fragment", "--traversal", "stack"};
+    Words published = common;
+    published.insert(published.end(), {"--early-z", "as-published"});
+    const test::Outcome outcome = run_kdscope(published);
+    if (outcome.code == 3) GTEST_SKIP() << "NO CONTEXT: " << outcome.err;
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("early z as published"), std::string::npos) << outcome.out;
+    EXPECT_EQ(run_kdscope(common).out.find("as published"), std::string::npos);
+}
+
 class Trace : public testing::Test {
   protected:
     TestFolder folder;
@@ -120,11 +132,17 @@ TEST_F(Trace, EveryTraversalAgrees) {
     EXPECT_EQ((*answers["3"].begin())[0], "0");
 }
 
+TEST_F(Trace, DoesNotOverwriteItsRays) {
+    const std::string before = read_file(rays);
+    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", rays}), {"--output", "table of rays"});
+    EXPECT_EQ(read_file(rays), before);
+}
+
 TEST_F(Trace, WritesAFileAndObeysTraversal) {
-    ASSERT_EQ(run_kdscope({"trace", "cornell", "--rays", rays, "-o", folder.file("h.csv"), "--tracer", "cpu",
-                           "--traversal", "restart"})
-                  .code,
-              0);
+    const test::Outcome outcome = run_kdscope(
+        {"trace", "cornell", "--rays", rays, "-o", folder.file("h.csv"), "--tracer", "cpu", "--traversal", "restart"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "wrote " + folder.file("h.csv") + " (4 rows)\n");
     const std::string table = read_file(folder.file("h.csv"));
     EXPECT_EQ(std::ranges::count(table, '\n'), 5);
     EXPECT_EQ(folder.names(), (Words{"h.csv", "rays.csv"}));

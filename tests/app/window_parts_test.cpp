@@ -1,7 +1,9 @@
 // Parts of the window that need no display: camera moves, layout, key table, file names.
 #ifdef KD_WITH_WINDOW
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
@@ -12,10 +14,12 @@
 #include "app/window/camera_moves.h"
 #include "app/window/event_log.h"
 #include "app/window/exporting.h"
+#include "app/window/home_path.h"
 #include "app/window/keys.h"
 #include "app/window/layout.h"
 #include "app/window/plot.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/scene/procedural.h"
 
 namespace kd {
 namespace {
@@ -88,11 +92,46 @@ TEST(Layout, ThePictureGetsSixtyPercentOfTheWidthAtFirst) {
     EXPECT_FLOAT_EQ(divide(1280, 720, {}, 1, false).picture.width, 1280);
 }
 
+TEST(Layout, TheFirstWindowSuitsTheScreen) {
+    EXPECT_EQ(first_size({1280, 720}, 1), (WindowSize{1280, 720}));
+    EXPECT_EQ(first_size({1920, 1040}, 1), (WindowSize{1728, 936}));
+    EXPECT_EQ(first_size({1024, 768}, 1), (WindowSize{1024, 720})) << "a small screen is filled, no more";
+    EXPECT_EQ(first_size({2560, 1600}, 2), (WindowSize{2560, 1440})) << "1280 x 720 at scale 2";
+}
+
+TEST(HomePath, IsWrittenWithATilde) {
+    const char* home = std::getenv("HOME");
+    if (!home) GTEST_SKIP() << "no home folder";
+    EXPECT_EQ(home_short(fs::path(home) / "figures"), "~/figures");
+    EXPECT_EQ(home_short(home), "~");
+    EXPECT_EQ(home_short(fs::path(home).parent_path() / "no-home-of-mine"),
+              (fs::path(home).parent_path() / "no-home-of-mine").string());
+    EXPECT_EQ(home_long("~/figures"), fs::path(home) / "figures");
+    EXPECT_EQ(home_long("~"), fs::path(home));
+    EXPECT_EQ(home_long("~other/x"), "~other/x");
+    EXPECT_EQ(home_long("figures"), "figures");
+}
+
+TEST(Tree, ThePapersRulesKeepTheCosts) {
+    const BuildConfig paper = edits::papers_rules({.traversal_cost = 3});
+    EXPECT_EQ(paper, (BuildConfig{.traversal_cost = 3, .empty_bonus_gate = 0, .trim_leaves = false}));
+}
+
+TEST(ProceduralScenes, SayWhetherASeedChangesThem) {
+    for (const ProceduralScene& scene : procedural_scenes()) {
+        const int size = std::min(scene.default_size, std::max(scene.smallest_size, 300));
+        const auto triangles = [&](unsigned seed) { return flatten(scene.make(size, seed)).triangles; };
+        EXPECT_EQ(triangles(1) != triangles(2), scene.seeded) << scene.name;
+    }
+    EXPECT_EQ(find_procedural("scatter:77")->name, "scatter");
+    EXPECT_EQ(find_procedural("scatter.glb"), nullptr);
+}
+
 TEST(Keys, EachKeyMeansOneThing) {
-    std::set<std::pair<int, bool>> keys;
+    std::set<std::pair<int, int>> keys;
     std::set<std::string> labels;
     for (const KeyBinding& binding : key_bindings()) {
-        EXPECT_TRUE(keys.insert({binding.key, binding.shift}).second) << binding.label;
+        EXPECT_TRUE(keys.insert({binding.key, binding.modifiers}).second) << binding.label;
         EXPECT_TRUE(labels.insert(binding.label).second) << binding.label;
         EXPECT_NE(std::string(binding.title), "");
     }
@@ -109,6 +148,20 @@ TEST(Keys, TraversalKeyGoesRoundWithoutTheNaiveOne) {
     EXPECT_EQ(seen.count(Traversal::naive), 0U);
     EXPECT_EQ(seen.size(), traversals().size() - 1);
     EXPECT_FALSE(apply_key('T', 2 /* Ctrl */, state, edit)) << "left to the desktop";
+}
+
+TEST(Keys, TextGrowsAndShrinksWithCtrl) {
+    EngineState state;
+    Edit edit;
+    constexpr int shift = 1, ctrl = 2;
+    EXPECT_TRUE(apply_key('=', ctrl, state, edit));
+    EXPECT_TRUE(apply_key('=', ctrl | shift, state, edit)) << "as most keyboards make a plus";
+    EXPECT_FLOAT_EQ(edit.window.text_scale, 1.2f);
+    for (int i = 0; i < 40; ++i) apply_key('-', ctrl, state, edit);
+    EXPECT_FLOAT_EQ(edit.window.text_scale, least_text_scale);
+    EXPECT_TRUE(apply_key('0', ctrl, state, edit));
+    EXPECT_FLOAT_EQ(edit.window.text_scale, 1);
+    EXPECT_FALSE(apply_key('=', 0, state, edit));
 }
 
 TEST(Keys, HeatAndDivergenceRememberTheMap) {
@@ -158,12 +211,14 @@ TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {
         log.presented(&picture, 2.07);
         picture.generation = 5;
         log.presented(&picture, 2.125);
+        log.input("scroll", 3.0);  // never answered
     }
     std::ifstream in(file);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     EXPECT_EQ(text, "event,kind,t_event_ms,t_frame_ms,latency_ms\n"
                     "1,move,1000.00,2062.50,1062.50\n"
-                    "2,key,2000.00,2125.00,125.00\n");
+                    "2,key,2000.00,2125.00,125.00\n"
+                    "3,scroll,3000.00,,\n");
     EXPECT_THROW(EventLog("/no/such/folder/events.csv"), InputError);
 }
 

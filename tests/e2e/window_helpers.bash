@@ -68,14 +68,48 @@ wait_for() {
 
 # Opens the window and waits for the first whole picture.
 start_window() {
+    rm -f "$KDSCOPE_STATE_FILE"
     "$KDSCOPE" "$@" >log.txt 2>&1 &
     window_pid=$!
     wait_for '^frame.scale=1$'
     window=$(xdotool search --name '^kdscope$' | tail -1)
     xdotool windowmove "$window" 0 0 windowfocus "$window" 2>/dev/null
+
 }
 
 press() { xdotool key "$@"; }
+
+# Where a control stands, such as "TREE/leaf size": left, top, width, height. Nothing where it is not to be seen.
+place() {
+    state | awk -v path="places.$1." '
+        index($0, path) == 1 { split(substr($0, length(path) + 1), part, "="); at[part[1]] = part[2] }
+        END { if (3 in at) print at[0], at[1], at[2], at[3] }'
+}
+
+# Moves the mouse to a control, a share of its width from its left: point_at LABEL [share].
+point_at() {
+    local end=$((SECONDS + 30)) x
+    until [[ -f $KDSCOPE_STATE_FILE ]] && read -r -a x < <(place "$1"); do
+        ((SECONDS < end)) || fail "there is no '$1' to be seen"
+        sleep 0.1
+    done
+    xdotool mousemove "$(awk "BEGIN { print int(${x[0]} + ${2:-0.5} * ${x[2]}) }")" "$(awk "BEGIN { print int(${x[1]} + 0.5 * ${x[3]}) }")"
+    sleep 0.15
+}
+
+# The time between is for the window, which looks at the mouse once per frame.
+hold() { xdotool mousedown "${1:-1}" && sleep 0.12; }
+let_go() { xdotool mouseup "${1:-1}" && sleep 0.12; }
+
+click_on() { point_at "$1" && hold && let_go; }
+
+# Opens a list and chooses a line of it: choose "top/scene" rooms.
+choose() { click_on "$1" && click_on "$1/$2"; }
+
+# Drags a slider's grab from one share of its width to another.
+drag_slider() {
+    point_at "$1" "$2" && hold && point_at "$1" "$3" && let_go
+}
 
 # Moves the mouse to a pixel of the picture.
 hover() {

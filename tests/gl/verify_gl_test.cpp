@@ -190,23 +190,41 @@ std::string failures(const VerifyReport& report) {
     return text;
 }
 
-/// Small enough for a test: 48x48 pixel rays and 1300 adversarial ones, on the CPU and on OSMesa.
+/// Small enough for a test: 48x48 pixel rays and 1300 adversarial ones, on the CPU.
 VerifyConfig small_config() {
     VerifyConfig config;
     config.width = config.height = 48;
     config.adversarial_rays = 1300;
     config.seed = 6;
-    config.contexts = {ContextKind::osmesa};
     return config;
 }
 
+/// Those that agree with the CPU bit for bit: hardware need not.
+std::vector<ContextKind> software_contexts() {
+    std::vector<ContextKind> kinds;
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl}) {
+        try {
+            if (Context::create(kind)->is_software()) kinds.push_back(kind);
+        } catch (const ContextError&) {
+            continue;  // this machine does not have that one
+        }
+    }
+    return kinds;
+}
+
 TEST(Verify, CpuAndGlAgreeWithBruteForce) {
+    VerifyConfig config = small_config();
+    config.contexts = software_contexts();
+    if (config.contexts.empty()) GTEST_SKIP() << "NO CONTEXT: neither OSMesa nor EGL in software";
     for (const FlatScene& scene : {test::scene_of(test::voxel_city(4)), test::scene_of(test::random_soup(400, 0.2f, 9)),
                                    test::scene_of(test::sphere(16, 9))}) {
-        const VerifyReport report = verify(scene, {}, small_config());
+        const VerifyReport report = verify(scene, {}, config);
         EXPECT_TRUE(report.passed()) << failures(report);
-        const bool gl = std::ranges::any_of(report.rows, [](const VerifyRow& r) { return r.tracer == "gl-fragment"; });
-        if (!gl) GTEST_SKIP() << "no OSMesa: " << report.notes.at(0);
+        for (const ContextKind kind : config.contexts) {
+            // Naive once, the others for each builder, the stack with both layouts of the leaf lists.
+            const auto rows = std::ranges::count(report.rows, name_of(kind), &VerifyRow::context);
+            EXPECT_EQ(rows, std::ptrdiff_t(1 + builders().size() * traversals().size())) << name_of(kind);
+        }
         for (const VerifyRow& row : report.rows) EXPECT_EQ(row.pixel_rays, 48 * 48) << row.traversal;
     }
 }
@@ -214,7 +232,6 @@ TEST(Verify, CpuAndGlAgreeWithBruteForce) {
 TEST(Verify, OneTriangleAndNoTriangle) {
     VerifyConfig config = small_config();
     config.seed = 1;
-    config.contexts.clear();
     for (const FlatScene& scene : {test::scene_of({}), test::scene_of(test::random_soup(1, 0.5f, 2))}) {
         const VerifyReport report = verify(scene, {}, config);
         EXPECT_TRUE(report.passed()) << failures(report);
@@ -223,7 +240,6 @@ TEST(Verify, OneTriangleAndNoTriangle) {
 
 TEST(Verify, ManyTrianglesGetStratifiedRaysAndSaySo) {
     VerifyConfig config = small_config();
-    config.contexts.clear();
     config.every_pixel_limit = 100;
     config.stratified_rays = 256;
     config.builders = {"paper"};

@@ -40,6 +40,12 @@ TEST(FrameCsv, HasARowPerPixelFromTheTop) {
     EXPECT_EQ(lines[6], "2,1,-1,0,0,0,0,0,0,0,0,0,0,step cap");
 }
 
+TEST(FrameCsv, WritesMinusZeroAsZero) {
+    Frame frame(1, 1);
+    frame.layer(Pass::rt_prim).hit.at(0, 0) = {3, 1.5f, -0.0f, -0.0f};
+    EXPECT_TRUE(holds(lines_of(frame_csv(frame))[1], ",3,1.5,0,0,"));
+}
+
 TEST(FrameCsv, AddsThePassesThatRan) {
     Frame frame = small_frame();
     frame.layer(Pass::shade_refl).counters.at(2, 1).leaves = 9;

@@ -7,18 +7,12 @@
 #include <set>
 
 #include "renderer/geometry/input_error.h"
+#include "tests/viz/colour_vision.h"
 
 namespace kd {
 namespace {
 
-/// Relative luminance of an sRGB colour (IEC 61966-2-1).
-double luminance(Rgba8 c) {
-    const auto linear = [](unsigned char channel) {
-        const double v = channel / 255.0;
-        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
-}
+using test::luminance;
 
 TEST(Colormap, ViridisIsTheDefaultAndNamesAreUnique) {
     EXPECT_EQ(colormaps().front().name, "viridis");
@@ -85,16 +79,30 @@ TEST(Colormap, DivergingMapIsNeutralInTheMiddleAndEvenOnBothSides) {
     }
 }
 
-// The colours for broken and missing values must not be taken for a value.
-TEST(Colormap, ExceptionalColoursAreOnNoMap) {
+// Legend swatches side by side: each must be told from the map's ends and from each other, at six times and more the
+// difference that is just noticeable, by everybody.
+TEST(Colormap, ExceptionalColoursAreToldFromTheEndsAndFromEachOther) {
+    constexpr double bound = 14;
     for (const Colormap& map : colormaps()) {
-        if (map.name == "grey") continue;  // its dark greys pass near the colour for no value; magenta is tested below
-        for (int i = 0; i <= 255; ++i) EXPECT_NE(map(float(i) / 255.0f), untraced_colour) << map.name;
+        const std::pair<const char*, Rgba8> swatches[] = {{"lower end", map(0)},         {"upper end", map(1)},
+                                                          {"below", map.below},          {"above", map.above},
+                                                          {"no value", untraced_colour}, {"broken", nan_colour}};
+        for (const auto& [name, colour] : swatches) {
+            for (const auto& [other_name, other] : swatches) {
+                if (name == other_name) continue;
+                EXPECT_GE(test::least_difference(colour, other), bound)
+                    << map.name << ": " << name << ", " << other_name;
+            }
+        }
     }
+}
+
+TEST(Colormap, ABrokenValueAndOneOffTheRangeAreOnNoMap) {
     for (const Colormap& map : colormaps()) {
-        for (int i = 0; i <= 255; ++i) {
-            const Rgba8 c = map(float(i) / 255.0f);
-            EXPECT_FALSE(c.r > 230 && c.g < 60 && c.b > 200) << map.name << " at " << i;
+        for (const Rgba8 exception : {map.below, map.above, nan_colour, untraced_colour}) {
+            // The dark greys of the grey map pass by the colour for no value.
+            if (map.name == "grey" && exception == untraced_colour) continue;
+            for (int i = 0; i <= 255; ++i) EXPECT_NE(map(float(i) / 255.0f), exception) << map.name;
         }
     }
 }

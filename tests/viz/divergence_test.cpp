@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/viz/synthetic.h"
+#include "viz/map.h"
 
 namespace kd {
 namespace {
@@ -140,8 +141,7 @@ TEST(Divergence, SummaryWeighsByStepsOrByTiles) {
     const DivergenceSummary all = summarise_divergence(layer, 2, 2);
     EXPECT_EQ(all.tiles, 2);
     EXPECT_DOUBLE_EQ(all.weighted, 104.0 / 404.0);
-    EXPECT_DOUBLE_EQ(all.mean, (1 + 0.25) / 2);
-    EXPECT_EQ(all.median, 0.25);
+    EXPECT_EQ(all.median, 0.25) << "the lower of two";
     EXPECT_EQ(all.p5, 0.25);
     EXPECT_EQ(summarise_divergence(RayLayer{Image<Hit>(4, 4), Image<RayCounters>(4, 4)}, 2, 2).tiles, 0);
 }

@@ -78,13 +78,55 @@ TEST(MakeFigure, ContainsThePicture) {
     }
 }
 
-// Lines go through square roots and divisions whose results may round differently with another compiler.
 TEST(PictureGolden, SplitsOverMap) {
     ViewConfig view;
     view.overlay.show = true;
-    test::expect_golden(picture_of(view), "picture_hidden_line", {2, 0.001});
+    test::expect_golden(picture_of(view), "picture_hidden_line", test::of_lines);
     view.overlay.hidden_line = false;
-    test::expect_golden(picture_of(view), "picture_see_through", {2, 0.001});
+    test::expect_golden(picture_of(view), "picture_see_through", test::of_lines);
+}
+
+TEST(PictureGolden, PlanesAloneAndCellsAlone) {
+    ViewConfig view;
+    view.show_map = false;
+    view.overlay = {.show = true, .boxes = false, .hidden_line = false};
+    test::expect_golden(picture_of(view), "picture_planes", test::of_lines);
+    view.overlay = {.show = true, .planes = false, .hidden_line = false};
+    test::expect_golden(picture_of(view), "picture_cells", test::of_lines);
+    view.overlay = {.show = true, .max_depth = 1, .planes = false};
+    test::expect_golden(picture_of(view), "picture_cells_depth_1", test::of_lines);
+}
+
+// All that a figure is made of: title, map half over the picture, splits, both legends, caption.
+TEST(PictureGolden, WholeFigure) {
+    ViewConfig view;
+    view.overlay.show = true;
+    view.map.map = "divergence";
+    test::expect_golden(make_figure(test::ball_frame(), test::three_leaf_tree(), test::ball_camera(), view,
+                                    "Step efficiency of SIMD groups, primary rays",
+                                    "ball, 1 triangle; three-leaf tree; 64 x 48; a caption longer than one line",
+                                    Font{}),
+                        "figure", test::of_lines);
+}
+
+TEST(GoldenPictures, ADifferenceIsShownAndAllowedWithinTheTolerance) {
+    const Image<Rgba8> expected(40, 30, {10, 20, 30, 255});
+    Image<Rgba8> actual = expected;
+    actual.at(7, 9).g = 24;
+    const std::filesystem::path out = KD_TEST_OUTPUT_DIR;
+    for (const char* kind : {".actual.png", ".diff.png"}) std::filesystem::remove(out / (std::string("self") + kind));
+    EXPECT_TRUE(test::compare_pictures(actual, expected, "self", {4, 0}));
+    EXPECT_TRUE(test::compare_pictures(actual, expected, "self", test::of_lines)) << "1 of 1200 pixels";
+    EXPECT_FALSE(std::filesystem::exists(out / "self.actual.png"));
+
+    const testing::AssertionResult exact = test::compare_pictures(actual, expected, "self", {});
+    EXPECT_FALSE(exact);
+    EXPECT_NE(std::string(exact.message()).find("self.diff.png"), std::string::npos) << exact.message();
+    EXPECT_EQ(read_png(out / "self.actual.png"), actual);
+    const Image<Rgba8> difference = read_png(out / "self.diff.png");
+    EXPECT_EQ(difference.at(7, 9), (Rgba8{32, 32, 32, 255}));
+    EXPECT_EQ(difference.at(8, 9), (Rgba8{0, 0, 0, 255}));
+    EXPECT_FALSE(test::compare_pictures(Image<Rgba8>(1, 1), expected, "self", {255, 1})) << "another size";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "tests/viz/golden.h"
 #include "tests/viz/synthetic.h"
 #include "viz/canvas.h"
+#include "viz/overlay.h"
 
 namespace kd {
 namespace {
@@ -48,10 +49,10 @@ TEST(Legend, ClippedMissingAndBrokenValuesAppearWhereTheyOccur) {
     map.values.pixels[6] = INFINITY;
     EXPECT_EQ(count_colour(legend_of(map, config), nan_colour), 100);
 
-    const Rgba8 top = get_colormap("viridis")(1);
+    const Rgba8 above = get_colormap("viridis").above;
+    EXPECT_EQ(count_colour(plain, above), 0);
     config.range_max = 5;
-    EXPECT_GE(count_colour(legend_of(map, config), top), count_colour(plain, top) + 100)
-        << "swatch and cap of clipped values";
+    EXPECT_GE(count_colour(legend_of(map, config), above), 150) << "swatch and cap of clipped values";
 }
 
 TEST(Legend, HistogramGrowsWithTheCounts) {
@@ -125,6 +126,25 @@ TEST(Figure, StackLeavesEmptyImagesOut) {
 
 // The built-in letters are made of whole pixels.
 TEST(LegendGolden, BuiltInFont) { test::expect_golden(legend_of(nodes(), {}), "legend_dots"); }
+
+TEST(LegendGolden, EverythingThatIsNotOnTheBar) {
+    ScalarMap map = nodes();
+    map.values.pixels[5] = INFINITY;
+    const HeatmapConfig locked{.colormap = "magma", .range_mode = RangeMode::locked, .range_min = 6, .range_max = 20};
+    test::expect_golden(legend_of(map, locked), "legend_clipped");
+    const HeatmapConfig log{.colormap = "turbo", .logarithmic = true};
+    test::expect_golden(legend_of(nodes(), log), "legend_log", {1, 0.001});
+}
+
+TEST(LegendGolden, Categories) {
+    test::expect_golden(legend_of(compute_map(test::ball_frame(), {.map = "exit"}), {}), "legend_exit");
+}
+
+TEST(LegendGolden, Depths) {
+    test::expect_golden(draw_depth_legend({}, 5, Font{}), "legend_depths");
+    test::expect_golden(draw_depth_legend({.max_depth = 24, .hidden_line = false}, 24, Font{}, 2),
+                        "legend_depths_large");
+}
 
 // stb_truetype's coverage depends on the compiler's float code at glyph edges; DejaVu 2.37 has not changed since 2016.
 TEST(LegendGolden, DejaVu) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "renderer/geometry/input_error.h"
@@ -138,30 +139,34 @@ TEST(Map, TilesHold4To1024Pixels) {
     }
 }
 
-TEST(Map, DifferenceSubtractsWhereBothHaveAValue) {
-    ScalarMap a, b;
-    a.title = "leaves visited";
-    a.values = Image<float>(3, 1);
-    b.values = Image<float>(3, 1);
-    a.values.pixels = {5, std::nanf(""), INFINITY};
-    b.values.pixels = {7, 1, INFINITY};
-    const ScalarMap d = difference(a, b);
-    EXPECT_EQ(d.title, "difference: leaves visited");
-    EXPECT_EQ(d.values.at(0, 0), -2.0f);
-    EXPECT_TRUE(std::isnan(d.values.at(1, 0)));
-    EXPECT_TRUE(std::isinf(d.values.at(2, 0)));
-    b.values = Image<float>(1, 3);
-    EXPECT_THROW(static_cast<void>(difference(a, b)), InputError);
-}
-
-// Counters are integers and so are these pictures: every byte must be the same.
-TEST(MapGolden, PaintedMaps) {
-    for (const char* name : {"nodes", "exit", "divergence", "idle"}) {
-        MapConfig config;
-        config.map = name;
+// Counters are integers, and a quotient of two is rounded alike everywhere: every byte must be the same. Only a distance
+// is the result of longer calculations.
+TEST(MapGolden, EveryMap) {
+    for (const MapInfo& info : maps()) {
+        const MapConfig config{.map = std::string(info.name)};
         const ScalarMap map = compute_map(test::ball_frame(), config);
         const HeatmapConfig heat;
-        test::expect_golden(paint_map(map, heat, choose_range(map, heat)), std::string("map_") + name);
+        const bool exact = info.kind != MapInfo::Kind::length;
+        test::expect_golden(paint_map(map, heat, choose_range(map, heat)), "map_" + config.map,
+                            exact ? test::Tolerance{} : test::Tolerance{1, 0.001});
+    }
+}
+
+TEST(Map, EachIsExplainedInTheManual) {
+    std::ifstream file(std::string(KD_SOURCE_DIR) + "/docs/maps.md");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    for (const MapInfo& map : maps()) {
+        EXPECT_NE(manual.find("\n**" + std::string(map.name) + "**: "), std::string::npos)
+            << "docs/maps.md lacks a paragraph on " << map.name;
+    }
+}
+
+TEST(Map, SummariesAreShortSentences) {
+    for (const MapInfo& map : maps()) {
+        EXPECT_LE(map.summary.size(), 120u) << map.name << ": too long for a tooltip";
+        EXPECT_TRUE(map.summary.ends_with('.')) << map.name;
+        EXPECT_EQ(map.unit.empty(), map.kind == MapInfo::Kind::ratio || map.kind == MapInfo::Kind::category)
+            << map.name << ": quantities have a unit, shares and names have none";
     }
 }
 

@@ -83,7 +83,10 @@ TEST(NumberText, FourDigitsAndThinSpaces) {
                                                     {1234.56, "1\u2009235"},
                                                     {0.5, "0.5000"},
                                                     {0.025, "0.02500"},
-                                                    {0.0001234, "1.234e-4"},
+                                                    {0.0001234, "1.234e\u22124"},
+                                                    {0.000999996, "1e\u22123"},
+                                                    {-2e-7, "\u22122e\u22127"},
+                                                    {5e10, "5e10"},
                                                     {6.022e23, "6.022e23"}};
     for (const auto& [value, text] : cases) EXPECT_EQ(number_text(value), text);
     EXPECT_EQ(number_text(std::nan("")), "nan");

@@ -4,88 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 
+#include "tests/viz/golden.h"
 #include "tests/viz/synthetic.h"
-#include "viz/colormap.h"
+#include "viz/heatmap.h"
 #include "viz/projection.h"
 
 namespace kd {
 namespace {
-
-PinholeCamera camera_at(Vec3 eye, Vec3 target, int width, int height) {
-    Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.fov_y_degrees = 90;
-    return pinhole(camera, width, height);
-}
-
-TEST(Projection, KnownPoints) {
-    // 90 degrees: the picture's upper edge is at height = distance. 200 x 100: its right edge at twice that.
-    const Projection projection(camera_at({0, 0, 4}, {0, 0, 0}, 200, 100), 200, 100);
-    const auto centre = projection.project({0, 0, 0});
-    ASSERT_TRUE(centre);
-    EXPECT_NEAR(centre->x, 100, 1e-4);
-    EXPECT_NEAR(centre->y, 50, 1e-4);
-    EXPECT_NEAR(centre->depth, 4, 1e-6);
-    const auto corner = projection.project({8, 4, 0});
-    ASSERT_TRUE(corner);
-    EXPECT_NEAR(corner->x, 200, 1e-3);
-    EXPECT_NEAR(corner->y, 0, 1e-3);
-    EXPECT_FALSE(projection.project({0, 0, 4})) << "the eye itself";
-    EXPECT_FALSE(projection.project({0, 0, 9})) << "behind";
-}
-
-TEST(Projection, UndoesCameraRays) {
-    const int w = 64, h = 48;
-    const PinholeCamera camera = pinhole(test::ball_camera(), w, h);
-    const Projection projection(camera, w, h);
-    for (int y = 0; y < h; y += 5) {
-        for (int x = 0; x < w; x += 5) {
-            const double t = 1.5 + 0.1 * x;
-            const glm::dvec3 point = glm::dvec3(camera.eye) + t * test::pixel_direction(camera, x, y, w, h);
-            const auto p = projection.project(Vec3(point));
-            ASSERT_TRUE(p);
-            EXPECT_NEAR(p->x, x + 0.5, 1e-4);
-            EXPECT_NEAR(p->y, y + 0.5, 1e-4);
-            EXPECT_NEAR(p->depth, projection.depth_at(x, y, t), 1e-5);
-        }
-    }
-}
-
-TEST(Projection, SegmentsAreCutToTheNearPlaneAndThePicture) {
-    const Projection projection(camera_at({0, 0, 4}, {0, 0, 0}, 100, 100), 100, 100);
-    // From the middle of the picture to far behind the eye, on the right.
-    const auto cut = projection.project_segment({0, 0, 0}, {3, 0, 12}, 0);
-    ASSERT_TRUE(cut);
-    EXPECT_NEAR(cut->a.x, 50, 1e-4);
-    EXPECT_NEAR(cut->b.x, 100, 1e-6) << "leaves through the right edge";
-    EXPECT_GT(cut->b.depth, 0);
-    EXPECT_FALSE(projection.project_segment({0, 0, 5}, {1, 1, 9})) << "behind the eye";
-    EXPECT_FALSE(projection.project_segment({50, 0, 0}, {50, 9, 0})) << "beside the picture";
-    EXPECT_FALSE(projection.project_segment({0, 0, 4}, {0, 0, 4})) << "the eye itself";
-}
-
-TEST(Projection, RandomSegmentsStayNearThePicture) {
-    const Projection projection(camera_at({1, 2, 3}, {0, 0, 0}, 80, 60), 80, 60);
-    std::mt19937 random(9);
-    std::uniform_real_distribution<float> at(-6, 6);
-    for (int i = 0; i < 20000; ++i) {
-        const Vec3 a(at(random), at(random), at(random));
-        const Vec3 b(at(random), at(random), at(random));
-        const auto s = projection.project_segment(a, b, 2);
-        if (!s) continue;
-        for (const PixelPoint& p : {s->a, s->b}) {
-            EXPECT_GE(p.x, -2.001);
-            EXPECT_LE(p.x, 82.001);
-            EXPECT_GE(p.y, -2.001);
-            EXPECT_LE(p.y, 62.001);
-            EXPECT_GT(p.depth, 0);
-        }
-    }
-}
 
 TEST(SplitLines, PlanesAndBoxesOfASmallTree) {
     const KdTree tree = test::three_leaf_tree();
@@ -162,6 +89,55 @@ constexpr Rgba8 untouched{128, 128, 128, 255};
 
 // Row 24 is just below the centre: it crosses the ball of radius 1 seen from distance 3.
 std::vector<WorldLine> level_line(float z) { return {{{-5, 0, z}, {5, 0, z}, 0, 0}}; }
+
+// The cells along the ray through a pixel beside the ball, over the picture.
+TEST(OverlayGolden, CellsAlongARay) {
+    const Scene scene;
+    const Vec3 eye = test::ball_camera().eye;
+    const Vec3 direction(test::pixel_direction(scene.camera, 6, 8, test::frame_width, test::frame_height));
+    Image<Rgba8> image = paint_beauty(scene.frame);
+    OverlayConfig config;
+    config.hidden_line = false;
+    draw_lines(image, lines_along_ray(test::three_leaf_tree(), {eye, direction, 0, 1e30f, -1}, 100), scene.camera,
+               scene.frame, config);
+    test::expect_golden(image, "picture_ray_cells", test::of_lines);
+}
+
+TEST(RayCells, AreTheLinesAlongThePixelsRayInThePicture) {
+    const Scene scene;
+    const KdTree tree = test::three_leaf_tree();
+    const Projection projection(scene.camera, test::frame_width, test::frame_height);
+    for (const auto& [x, y] : {std::pair{6, 8}, {32, 24}, {60, 40}}) {
+        const Vec3 direction(test::pixel_direction(scene.camera, x, y, test::frame_width, test::frame_height));
+        const Hit& hit = scene.frame.layer(Pass::rt_prim).hit.at(x, y);
+        const float t_end = hit.triangle >= 0 ? hit.t : 1e30f;
+        std::vector<ScreenLine> expected;
+        for (const WorldLine& line : lines_along_ray(tree, {scene.camera.eye, direction, 0, 1e30f, -1}, t_end)) {
+            if (const auto s = projection.project_segment(line.a, line.b))
+                expected.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
+        }
+        const auto cells = ray_cells(tree, scene.camera, test::frame_width, test::frame_height, x, y, hit);
+        ASSERT_EQ(cells.size(), expected.size()) << x << "," << y;
+        EXPECT_GT(cells.size(), 8u);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            EXPECT_EQ(cells[i].depth, expected[i].depth);
+            EXPECT_FLOAT_EQ(cells[i].x0, expected[i].x0);
+            EXPECT_FLOAT_EQ(cells[i].y1, expected[i].y1);
+        }
+    }
+}
+
+TEST(RayCells, EndAtTheHitAndAtTheLimit) {
+    const Scene scene;
+    const auto cells_to = [&](const Hit& hit, std::size_t most) {
+        return ray_cells(test::three_leaf_tree(), scene.camera, test::frame_width, test::frame_height, 44, 10, hit,
+                         most);
+    };
+    const Hit none{-1, 0, 0, 0};
+    EXPECT_EQ(cells_to(none, 5).size(), 5u);
+    EXPECT_LT(cells_to({3, 1.1f, 0, 0}, 4000).size(), cells_to(none, 4000).size());
+    EXPECT_TRUE(ray_cells(KdTree{}, scene.camera, 64, 48, 20, 24, none).empty()) << "no triangles, no cells";
+}
 
 TEST(DrawLines, BehindTheBallIsHiddenAndBesideItIsNot) {
     const Scene scene;

@@ -87,6 +87,8 @@ void CaseRun::each(const Subject& subject,
         for (const TraversalInfo& traversal : traversals()) {
             if (traversal.id == Traversal::naive) continue;
             if (config_.rules != Rules::robust && !traversal.has_published_form()) continue;
+            const auto& wanted = config_.traversals;
+            if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
             check_stop();
             TraceConfig trace;
             trace.traversal = traversal.id;

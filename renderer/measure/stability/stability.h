@@ -31,8 +31,9 @@ struct StabilityCase {
 [[nodiscard]] std::span<const StabilityCase> stability_cases();
 
 struct StabilityConfig {
-    std::vector<std::string> cases;  // ids; empty = all
-    bool long_run = false;           // all rays of a case instead of a tenth
+    std::vector<std::string> cases;       // ids; empty = all
+    bool long_run = false;                // all rays of a case instead of a tenth
+    std::vector<std::string> traversals;  // empty = all but naive
     Rules rules = Rules::robust;
     bool cpu = true;
     std::vector<ContextKind> contexts;

@@ -1,0 +1,62 @@
+#include "app/figure_text.h"
+
+#include <cctype>
+#include <fmt/format.h>
+#include <version.h>
+
+#include "app/json_values.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+std::string tree_text(const BuildConfig& b) {
+    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{})", b.builder, b.traversal_cost,
+                       b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
+                       b.trim_leaves ? "" : ", box leaves");
+}
+
+const char* leaf_lists_text(LeafLists lists) {
+    return lists == LeafLists::references ? "leaf lists of references" : "leaf lists of copies";
+}
+
+std::string tracer_text(const FigureFacts& f) {
+    return fmt::format("{} on {}{}", name_of(f.tracer), f.renderer, f.software_gl ? " (software, not a GPU)" : "");
+}
+
+std::string time_text(const FigureFacts& f) {
+    return fmt::format("{:.1f} ms{}", f.milliseconds, f.clock.empty() ? "" : fmt::format(" ({})", f.clock));
+}
+
+}  // namespace
+
+std::string title_of(const std::string& scene, const ViewConfig& view) {
+    std::string title = scene;
+    if (view.show_map) {
+        const MapInfo* map = find_map(view.map.map);
+        title = fmt::format("{}, {} rays", map ? map->title : view.map.map, ray_names[std::size_t(view.map.rays)]);
+    } else if (view.overlay.show) {
+        title = fmt::format("Splits of the kd-tree down to depth {}", view.overlay.max_depth);
+    }
+    if (title != scene) title[0] = char(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+}
+
+std::string caption_of(const FigureFacts& f) {
+    return fmt::format("{}, {} triangles; {}; {} traversal, {} rules, {}; {}; {} × {} in {}; kdscope {}", f.scene,
+                       number_text(double(f.triangles)), tree_text(f.build), info(f.trace.traversal).name,
+                       info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), tracer_text(f), f.width, f.height,
+                       time_text(f), build::version);
+}
+
+PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {
+    Json settings = json_of(session);
+    settings["view"] = json_of(view);
+    return {{"Title", title},
+            {"Description", caption},
+            {"Software", fmt::format("kdscope {} ({})", build::version, build::commit)},
+            {"kdscope-settings", settings.dump(-1, ' ', false, Json::error_handler_t::replace)}};
+}
+
+}  // namespace kd

@@ -1,0 +1,35 @@
+// What a figure says about itself: title, caption, and the text inside its file. One wording for window and commands.
+#pragma once
+
+#include <string>
+
+#include "app/session.h"
+#include "renderer/io/png.h"
+
+namespace kd {
+
+/// How the frame of a figure came about.
+struct FigureFacts {
+    std::string scene;
+    std::size_t triangles = 0;
+    BuildConfig build;
+    TraceConfig trace;
+    TracerKind tracer = TracerKind::cpu;
+    std::string renderer;
+    bool software_gl = false;
+    int width = 0, height = 0;
+    double milliseconds = 0;
+    std::string clock;  // that the time was read from; may be empty
+};
+
+/// "Interior nodes visited, primary rays", the splits where no map is shown, the scene where neither is.
+[[nodiscard]] std::string title_of(const std::string& scene, const ViewConfig& view);
+
+/// All that was chosen and what it took, in one line.
+[[nodiscard]] std::string caption_of(const FigureFacts& facts);
+
+/// Title, caption, program, and settings to make the picture again: `session` showing `view`.
+[[nodiscard]] PngText png_text(const std::string& title, const std::string& caption, const Session& session,
+                               const ViewConfig& view);
+
+}  // namespace kd

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# EXPORT: every button writes its kind of file, into the folder that was typed, under names that count up.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+mkdir -p home/figures
+export HOME=$PWD/home
+start_window ball:300
+width=$(value frame.width) height=$(value frame.height)
+pixels=$((width * height))
+click_on "EXPORT/folder"
+xdotool keydown ctrl keydown a && sleep 0.15 && xdotool keyup a keyup ctrl
+xdotool type --delay 30 '~/figures'
+press Return
+sleep 0.3
+
+export_as() {
+    click_on "EXPORT/$1"
+    wait_for "^last_export=~/figures/$2$"
+    [[ -s home/figures/$2 ]] || fail "$2 is not there"
+}
+size_of() { convert "home/figures/$1" -format '%wx%h' info:; }
+
+export_as figure kdscope-1.png
+holds "$(convert home/figures/kdscope-1.png -format '%w' info:) > $width" || fail "the figure has no room for a legend"
+export_as picture kdscope-2.png
+[[ $(size_of kdscope-2.png) == "${width}x$height" ]] || fail "the picture is $(size_of kdscope-2.png)"
+export_as window kdscope-3.png
+[[ $(size_of kdscope-3.png) == "$SCREEN" ]] || fail "the window is $(size_of kdscope-3.png)"
+left=$(value picture_area.0) top=$(value picture_area.1)
+# Below what the window says at the picture's top.
+convert home/figures/kdscope-3.png -crop "300x200+${left%.*}+$((${top%.*} + height - 250))" +repage window-part.png
+convert home/figures/kdscope-2.png -crop "300x200+0+$((height - 250))" +repage picture-part.png
+holds "$(difference window-part.png picture-part.png) < 0.02" || fail "the window's picture is not the picture"
+export_as CSV kdscope-4.csv
+[[ $(wc -l <home/figures/kdscope-4.csv) -eq $((pixels + 1)) ]] || fail "not a row per pixel"
+sum=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "primary_triangle_tests") c = i; next } { s += $c } END { print s }' home/figures/kdscope-4.csv)
+[[ $sum == "$(value counters.primary.triangle_tests)" ]] || fail "the table sums to $sum tests"
+export_as JSON kdscope-5.json
+grep -q "\"triangle_tests\": $sum" home/figures/kdscope-5.json || fail "the summary has another sum"
+
+rm -r home/figures
+click_on "EXPORT/CSV"
+wait_for '^messages.*=.*there is no folder'
+[[ ! -e home/figures ]] || fail "a folder was made"
+echo "passed"

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Lists: a scene and a map are chosen in them; while one is open, keys are not commands, and Esc closes it and no more.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window ball:300
+see_picture ball.png
+choose "top/scene" cornell
+wait_for '^scene.name=cornell$'
+wait_for '^settings.scene=cornell$'
+see_picture cornell.png
+holds "$(difference ball.png cornell.png) > 0.02" || fail "another scene, the same picture"
+choose "top/map" triangles
+wait_for '^settings.view.map.name=triangles$'
+choose "VIEW/map" leaves
+wait_for '^settings.view.map.name=leaves$'
+
+hover 200 200
+wait_for '^hovered.x=200$'
+press p
+wait_for '^pinned.x=200$'
+click_on "TRACING/traversal"
+point_at "TRACING/traversal/restart"
+press t
+press h
+sleep 0.5
+[[ $(value settings.traversal) == stack && -n $(value settings.view.map.name) ]] || fail "keys acted behind an open list"
+press Escape
+sleep 0.5
+[[ -z $(place "TRACING/traversal/restart") ]] || fail "Esc did not close the list"
+[[ $(value pinned) != null ]] || fail "Esc for the list released the pixel"
+[[ $(value settings.traversal) == stack ]] || fail "Esc chose something"
+press Escape
+wait_for '^pinned=null$'
+press t
+wait_for '^settings.traversal=restart$'
+echo "passed"

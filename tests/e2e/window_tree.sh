@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# TREE: a slider is dragged and tree, counters and picture follow; presets bring constants back; a long build is cancelled.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window ball:1000
+nodes=$(value tree.nodes)
+tests=$(value counters.primary.triangle_tests)
+see_picture before.png
+drag_slider "TREE/leaf size" 0.05 0.9
+wait_for '^settings.build.leaf_size=(2[0-9]|3[0-2])$'
+holds "$(value tree.nodes) < $nodes / 2" || fail "$(value tree.nodes) nodes with large leaves, $nodes with small ones"
+holds "$(value counters.primary.triangle_tests) > 1.5 * $tests" || fail "large leaves cost no tests"
+see_picture after.png
+holds "$(difference before.png after.png) > 0.003" || fail "the picture did not follow: $(difference before.png after.png)"
+
+click_on "TREE/default"
+wait_for '^settings.build.leaf_size=2$'
+[[ $(value tree.nodes) == "$nodes" ]] || fail "the constants of the start make another tree"
+click_on "TREE/paper's"
+wait_for '^settings.build.trim_leaves=false$'
+wait_for '^settings.build.empty_bonus_gate=0(\.0)?$'
+stop_window
+
+start_window scatter:300000 --builder spatial-median
+nodes=$(value tree.nodes)
+press b
+wait_for '^building=true$'
+click_on "status/cancel"
+wait_for '^building=false$'
+[[ $(value settings.build.builder) == spatial-median ]] || fail "the build went on: $(value settings.build.builder)"
+[[ $(value tree.nodes) == "$nodes" ]] || fail "the tree before is gone"
+echo "passed"

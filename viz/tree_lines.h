@@ -1,0 +1,25 @@
+// Cells of a kd-tree on the way down, and their outlines.
+#pragma once
+
+#include <vector>
+
+#include "viz/overlay.h"
+
+namespace kd {
+
+/// A node with the part of space that it covers.
+struct Cell {
+    int node;
+    int depth;
+    Aabb box;
+};
+
+[[nodiscard]] Cell child_below(const TreeNode& n, const Cell& cell);
+[[nodiscard]] Cell child_above(const TreeNode& n, const Cell& cell);
+
+/// The outline of the split plane of `n`, the node of `cell`: 4 lines.
+void add_plane(const TreeNode& n, const Cell& cell, std::vector<WorldLine>& lines);
+/// The edges of the cell: 12 lines.
+void add_box(const Cell& cell, std::vector<WorldLine>& lines);
+
+}  // namespace kd
