@@ -110,8 +110,9 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
 void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
     const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu},
                                                       {"gl-fragment", TracerKind::gl_fragment}};
-    const std::vector<NamedValue<ContextKind>> contexts{
-        {"auto", ContextKind::automatic}, {"osmesa", ContextKind::osmesa}, {"egl", ContextKind::egl}};
+    std::vector<NamedValue<ContextKind>> contexts;
+    for (const ContextKind kind : {ContextKind::automatic, ContextKind::osmesa, ContextKind::egl})
+        contexts.push_back({std::string(name_of(kind)), kind});
     std::vector<NamedValue<Rules>> rules;
     for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
     const auto text = [](const char* what, std::string_view value) { return fmt::format("{} [{}]", what, value); };
@@ -178,6 +179,14 @@ void require_context(const CommonOptions& options, bool uses_all) {
     const bool by_tracer = options.tracer == TracerKind::gl_fragment;
     const bool by_context = uses_all && !options.tracer && options.context;
     if (by_tracer || by_context) (void)Context::create(options.context.value_or(ContextKind::automatic));
+}
+
+std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive) {
+    if (options.traversal) return {*options.traversal};
+    std::vector<Traversal> wanted;
+    for (const TraversalInfo& traversal : traversals())
+        if (naive || traversal.id != Traversal::naive) wanted.push_back(traversal.id);
+    return wanted;
 }
 
 FlatScene open_scene(const CommonOptions& options, Session& session) {

@@ -54,6 +54,9 @@ void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefault
 /// Options that every command takes, for the sake of scripts, but that do nothing in this one: help does not list them.
 void hide_options(CLI::App& app, const std::vector<std::string>& names);
 
+/// The traversal asked for; all of them otherwise, the loop over all triangles among them only where `naive`.
+[[nodiscard]] std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive);
+
 /// Loads the scene of `session` and gives it the camera asked for. The session gets a camera where one was asked for.
 /// InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);

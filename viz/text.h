@@ -21,8 +21,6 @@ class Font {
     /// is none.
     [[nodiscard]] static Font from_bytes(std::span<const std::byte> bytes);
 
-    [[nodiscard]] bool is_built_in() const { return face_ == nullptr; }
-
     /// Baseline to the top of the tallest letters; baseline to the bottom of the deepest, positive; baseline to
     /// baseline.
     [[nodiscard]] int ascent(float size) const;

@@ -51,14 +51,6 @@ struct BenchScene {
     }
 };
 
-std::vector<Traversal> wanted_traversals(const BenchOptions& options) {
-    if (options.traversal) return {*options.traversal};
-    std::vector<Traversal> list;
-    for (const TraversalInfo& traversal : traversals())
-        if (traversal.id != Traversal::naive || options.naive) list.push_back(traversal.id);
-    return list;
-}
-
 /// The tracers asked for; GL that is not there becomes a note unless it was named.
 std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(const BenchOptions& options,
                                                                               BenchScene& bench) {
@@ -87,7 +79,7 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
     for (auto& [kind, tracer] : tracers)
-        for (const Traversal traversal : wanted_traversals(options)) {
+        for (const Traversal traversal : wanted_traversals(options, options.naive)) {
             TraceConfig config = s.trace;
             config.traversal = traversal;
             const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));

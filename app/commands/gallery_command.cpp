@@ -42,7 +42,11 @@ struct GalleryScene {
 
 std::vector<GalleryScene> gallery_scenes() {
     std::vector<GalleryScene> scenes{{"ball:9000", 9}, {"rooms", 10}, {"scatter:10000", 5}};
-    if (const auto lantern = find_asset("scenes/lantern.gltf")) scenes.push_back({lantern->string(), 9});
+    const auto lantern = find_asset("scenes/lantern.gltf");
+    if (!lantern)
+        throw InputError(
+            "lantern.gltf: not found, a scene that comes with the program; set KDSCOPE_ASSETS to its folder 'assets'");
+    scenes.push_back({lantern->string(), 9});
     return scenes;
 }
 

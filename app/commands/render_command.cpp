@@ -8,8 +8,8 @@
 
 #include "app/commands/commands.h"
 #include "app/fonts.h"
+#include "app/frame_summary.h"
 #include "app/help_format.h"
-#include "app/json_values.h"
 #include "app/output_file.h"
 #include "app/rendering.h"
 #include "app/typed_options.h"
@@ -29,41 +29,22 @@ struct RenderOptions : CommonOptions {
     bool no_legend = false;
 };
 
-Json passes_json(const FrameTime& time) {
-    Json passes = Json::object();
-    for (std::size_t pass = 0; pass < pass_count; ++pass)
-        if (time.pass_ms[pass] >= 0) passes[std::string(pass_names[pass])] = time.pass_ms[pass];
-    return passes;
-}
-
-Json shaded_json(const FrameTime& time) {
-    Json shaded = Json::object();
-    for (std::size_t pass = 0; pass < pass_count; ++pass)
-        if (time.shaded_pixels[pass] >= 0) shaded[std::string(pass_names[pass])] = time.shaded_pixels[pass];
-    return shaded;
-}
-
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
 Json json_of(const Rendering& r) {
     const PinholeCamera camera = pinhole(r.scene.camera, r.session.width, r.session.height);
     const RayCounts rays = count_rays(r.scene, r.tree, r.session.trace, camera, r.session.width, r.session.height);
-    const auto totals = pass_totals(r.frame, rays);
-    Json counters;
-    for (std::size_t pass = 0; pass < pass_count; ++pass)
-        counters[json_key(ray_names[pass])] = kd::json_of(totals[pass]);
-    Json settings = kd::json_of(r.session);
-    settings["view"] = kd::json_of(r.session.view);
-    return {{"settings", settings},
-            {"scene", kd::json_of(r.scene)},
-            {"tree", kd::json_of(r.stats)},
-            {"renderer", r.renderer},
-            {"software_gl", r.software_gl},
-            {"clock", r.clock},
-            {"ms", {{"build", 1e3 * r.build.seconds}, {"trace", r.time.total_ms}, {"passes", passes_json(r.time)}}},
-            {"shaded_pixels", shaded_json(r.time)},
-            {"left_out", r.left_out},
-            {"counters", counters}};
+    return summary_json({.session = r.session,
+                         .scene = r.scene,
+                         .stats = r.stats,
+                         .build_seconds = r.build.seconds,
+                         .frame = r.frame,
+                         .time = r.time,
+                         .renderer = r.renderer,
+                         .software_gl = r.software_gl,
+                         .clock = r.clock,
+                         .left_out = r.left_out},
+                        rays);
 }
 
 void print(std::ostream& out, const Rendering& r) {

@@ -59,13 +59,6 @@ Hit as_asked(const FlatScene& scene, const Ray& ray, const Hit& hit) {
     return shown;
 }
 
-std::vector<Traversal> wanted_traversals(const TraceOptions& options) {
-    if (options.traversal) return {*options.traversal};
-    std::vector<Traversal> all;
-    for (const TraversalInfo& traversal : traversals()) all.push_back(traversal.id);
-    return all;
-}
-
 /// The tracers asked for; one that is not there is told in a line unless it was named.
 class RayTracers {
   public:
@@ -103,48 +96,57 @@ class RayTracers {
     std::vector<RayTracer> list_;
 };
 
-int run(const TraceOptions& options, CommandContext& context) {
+/// The rays by one traversal on one tracer, in steps between which a person may interrupt.
+void trace_in_steps(const RayTracer& tracer, const TraceConfig& config, std::span<const Ray> rays, std::span<Hit> hits,
+                    std::span<RayCounters> counters, ProgressLine& progress, const CommandContext& context) {
     constexpr std::size_t rays_per_step = 16384;
+    const std::string what = fmt::format("{} on {}", info(config.traversal).name, tracer.name);
+    for (std::size_t first = 0; first < rays.size(); first += rays_per_step) {
+        check_stop(context);
+        const std::size_t n = std::min(rays_per_step, rays.size() - first);
+        progress.show(float(first) / float(rays.size()), what);
+        tracer.trace(config, rays.subspan(first, n), hits.subspan(first, n), counters.subspan(first, n));
+    }
+}
+
+/// The table of all tracers and traversals. What a tracer refuses is left out and told, unless it was asked for by name.
+std::string trace_all(const TraceOptions& options, const RayTracers& tracers, TraceConfig config,
+                      const FlatScene& scene, const std::vector<Ray>& asked, CommandContext& context) {
+    std::string table = header();
+    std::vector<Ray> rays;
+    for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
+    ProgressLine progress(context);
+    std::vector<Hit> hits(rays.size());
+    std::vector<RayCounters> counters(rays.size());
+    for (const RayTracer& tracer : tracers.list())
+        for (const Traversal traversal : wanted_traversals(options, true)) {
+            config.traversal = traversal;
+            try {
+                trace_in_steps(tracer, config, rays, hits, counters, progress, context);
+                for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
+                add_rows(table, info(traversal).name, tracer.name, hits, counters);
+            } catch (const InputError& error) {
+                if (options.traversal) throw;
+                context.err << fmt::format("kdscope: left out {} on {}: {}\n", info(traversal).name, tracer.name,
+                                           error.what());
+            }
+        }
+    return table;
+}
+
+int run(const TraceOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
     const bool to_file = options.output != "-";
     if (to_file)
         check_outputs({{"--output", options.output}},
                       {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
-    const std::vector<Ray> asked = read_rays_csv(options.rays);
+    const std::vector<Ray> rays = read_rays_csv(options.rays);
     require_context(options, true);
     const FlatScene scene = open_scene(options, session);
-    std::vector<Ray> rays;
-    for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
     check_stop(context);
-    RayTracers tracers(options, scene, tree, context);
-    std::string table = header();
-    {
-        ProgressLine progress(context);
-        std::vector<Hit> hits(rays.size());
-        std::vector<RayCounters> counters(rays.size());
-        for (const RayTracer& tracer : tracers.list())
-            for (const Traversal traversal : wanted_traversals(options)) {
-                session.trace.traversal = traversal;
-                try {
-                    for (std::size_t first = 0; first < rays.size(); first += rays_per_step) {
-                        check_stop(context);
-                        const std::size_t n = std::min(rays_per_step, rays.size() - first);
-                        progress.show(float(first) / float(rays.size()),
-                                      fmt::format("{} on {}", info(traversal).name, tracer.name));
-                        tracer.trace(session.trace, std::span(rays).subspan(first, n),
-                                     std::span(hits).subspan(first, n), std::span(counters).subspan(first, n));
-                    }
-                } catch (const InputError& error) {
-                    if (options.traversal) throw;
-                    context.err << fmt::format("kdscope: left out {} on {}: {}\n", info(traversal).name, tracer.name,
-                                               error.what());
-                    continue;
-                }
-                for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
-                add_rows(table, info(traversal).name, tracer.name, hits, counters);
-            }
-    }
+    const RayTracers tracers(options, scene, tree, context);
+    const std::string table = trace_all(options, tracers, session.trace, scene, rays, context);
     check_stop(context);
     if (to_file) {
         write_file(options.output, table);

@@ -40,10 +40,6 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     return config;
 }
 
-const char* verdict(const VerifyRow& row) {
-    return row.mismatches == 0 && row.counter_mismatches == 0 ? "good" : "WRONG";
-}
-
 Json json_of(const VerifyReport& report) {
     Json rows = Json::array();
     for (const VerifyRow& row : report.rows)
@@ -56,7 +52,7 @@ Json json_of(const VerifyReport& report) {
                         {"adversarial_rays", row.adversarial_rays},
                         {"mismatches", row.mismatches},
                         {"ties", row.ties},
-                        {"counter_mismatches", row.counter_mismatches},
+                        {"counter_mismatches", row.counter_mismatches ? Json(*row.counter_mismatches) : Json(nullptr)},
                         {"seconds", row.seconds},
                         {"first_failure", row.first_failure.empty() ? Json(nullptr) : Json(row.first_failure)}});
     return {{"scene", report.scene}, {"triangles", report.triangles},   {"passed", report.passed()},
@@ -82,8 +78,8 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
         table.add_row({row.builder, row.traversal, row.leaf_lists, row.tracer, row.context,
                        fmt::format("{}", row.pixel_rays), fmt::format("{}", row.adversarial_rays),
                        fmt::format("{}", row.mismatches), fmt::format("{}", row.ties),
-                       row.tracer == "cpu" ? "-" : fmt::format("{}", row.counter_mismatches),
-                       fmt::format("{:.2f}", row.seconds), verdict(row)});
+                       row.counter_mismatches ? fmt::format("{}", *row.counter_mismatches) : "-",
+                       fmt::format("{:.2f}", row.seconds), row.good() ? "good" : "WRONG"});
     table.print(out);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
     for (const std::string& violation : report.violations) out << "bad tree: " << violation << '\n';

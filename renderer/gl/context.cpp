@@ -10,15 +10,6 @@ namespace kd {
 
 namespace {
 
-class AdoptedContext final : public Context {
-  public:
-    explicit AdoptedContext(GlApi::GetProc get_proc) : Context(ContextKind::adopted) { load(std::move(get_proc)); }
-    ~AdoptedContext() override { forget_messages(); }
-
-    /// Its owner makes it current.
-    void make_current() override {}
-};
-
 constexpr std::array<std::string_view, 4> kind_names{"auto", "osmesa", "egl", "adopted"};
 
 bool is_software_renderer(std::string_view renderer) {
@@ -47,12 +38,6 @@ std::unique_ptr<Context> first_of(std::string& reasons, const Ways&... ways) {
 
 }  // namespace
 
-ContextKind parse_context_kind(std::string_view name) {
-    for (const ContextKind kind : {ContextKind::automatic, ContextKind::osmesa, ContextKind::egl})
-        if (name == name_of(kind)) return kind;
-    throw ContextError(fmt::format("unknown context '{}'. Known: auto, osmesa, egl", name));
-}
-
 std::string_view name_of(ContextKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 std::unique_ptr<Context> Context::create(ContextKind kind) {
@@ -79,10 +64,6 @@ std::unique_ptr<Context> Context::create(ContextKind kind) {
     }
     if (!context) throw ContextError(fmt::format("no OpenGL context ({}): {}; {}", name_of(kind), reasons, remedy));
     return context;
-}
-
-std::unique_ptr<Context> Context::adopt(GlApi::GetProc load) {
-    return std::make_unique<AdoptedContext>(std::move(load));
 }
 
 void Context::load(GlApi::GetProc get_proc) {

@@ -18,8 +18,7 @@ struct ContextError : std::runtime_error {
 
 enum class ContextKind { automatic, osmesa, egl, adopted };
 
-/// "auto", "osmesa", "egl" -> kind; ContextError listing the known names otherwise.
-[[nodiscard]] ContextKind parse_context_kind(std::string_view name);
+/// "auto", "osmesa", "egl" as on the command line; "adopted" for a window's own.
 [[nodiscard]] std::string_view name_of(ContextKind kind);
 
 /// A GL >= 4.3 core context. libOSMesa and libEGL are loaded when needed and never linked.
@@ -27,8 +26,6 @@ class Context {
   public:
     /// auto = EGL on a hardware device, else OSMesa, else EGL on software. Current on return.
     [[nodiscard]] static std::unique_ptr<Context> create(ContextKind kind);
-    /// The context that the caller has made current (a window's); `load` finds its functions.
-    [[nodiscard]] static std::unique_ptr<Context> adopt(GlApi::GetProc load);
 
     virtual ~Context() = default;
     Context(const Context&) = delete;
@@ -45,7 +42,6 @@ class Context {
 
   protected:
     explicit Context(ContextKind kind) : kind_(kind) {}
-    void forget_messages() { forget_gl_messages(gl_); }  // before a context that lives on is left
     void load(GlApi::GetProc load);  // fills gl_, renderer_, version_, software_; ContextError below GL 4.3
 
   private:

@@ -47,10 +47,4 @@ void collect_gl_messages(GlApi& gl, GlMessages& messages) {
     gl.DebugMessageCallback(on_message, &messages);
 }
 
-void forget_gl_messages(GlApi& gl) {
-    if (!gl.messages) return;
-    gl.DebugMessageCallback(nullptr, nullptr);
-    gl.messages = nullptr;
-}
-
 }  // namespace kd

@@ -34,8 +34,7 @@ struct GlMessages {
 /// True where KD_GL_DEBUG asks for messages: they cost time with every call.
 [[nodiscard]] bool wants_gl_messages();
 
-/// Has the current context's driver write into `messages`, which must live until its end or until forget_gl_messages().
+/// Has the current context's driver write into `messages`, which must live as long.
 void collect_gl_messages(GlApi& gl, GlMessages& messages);
-void forget_gl_messages(GlApi& gl);
 
 }  // namespace kd

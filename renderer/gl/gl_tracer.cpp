@@ -100,8 +100,6 @@ GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& c
     return report;
 }
 
-unsigned GlTracer::colour_texture() const { return impl_->targets.colour(); }
-
 void GlTracer::correct_rounding(bool on) { impl_->corrected_rounding = on; }
 
 GlMemory GlTracer::memory() const {

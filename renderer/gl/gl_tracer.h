@@ -63,9 +63,6 @@ class GlTracer {
     /// The targets of the last draws as a Frame (reads back).
     [[nodiscard]] Frame read_frame(const TraceConfig& config);
 
-    /// Texture holding the colour of the last draws (RGBA32F, row 0 = top of the image), for display.
-    [[nodiscard]] unsigned colour_texture() const;
-
     /// Traces arbitrary rays with the RTPrim program fed from a texture. `counters` as in CpuTracer::trace_rays.
     void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters);

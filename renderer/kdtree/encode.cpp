@@ -11,8 +11,8 @@ namespace {
 
 float exact_float(std::size_t node, const char* what, std::int64_t number) {
     if (std::abs(number) > float_index_limit) {
-        throw InputError(fmt::format("node {}: {} {} is beyond {}, the largest a float texel holds exactly: build a "
-                                     "smaller tree or use the integer layout",
+        throw InputError(fmt::format("node {}: {} {} is beyond {}, the largest a float texel holds exactly; build a "
+                                     "smaller tree: a lower --max-depth or --reference-cap, or a larger --leaf-size",
                                      node, what, number, float_index_limit));
     }
     return float(number);

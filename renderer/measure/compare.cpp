@@ -55,9 +55,10 @@ void compare_hits(const ReferenceRays& reference, const RayAnswers& found, Verif
 
 void compare_counters(const ReferenceRays& reference, const RayAnswers& expected, const RayAnswers& found,
                       VerifyRow& row) {
+    std::int64_t& mismatches = row.counter_mismatches.emplace(row.counter_mismatches.value_or(0));
     for (std::size_t i = 0; i < reference.rays.size(); ++i) {
         if (expected.counters[i] == found.counters[i]) continue;
-        ++row.counter_mismatches;
+        ++mismatches;
         fail(row, fmt::format("ray {}: cpu counts {}; {} counts {}", exact_text(reference.rays[i]),
                               counters_text(expected.counters[i]), row.tracer, counters_text(found.counters[i])));
     }

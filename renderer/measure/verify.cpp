@@ -245,8 +245,7 @@ class Verification {
 }  // namespace
 
 bool VerifyReport::passed() const {
-    const auto good = [](const VerifyRow& row) { return row.mismatches == 0 && row.counter_mismatches == 0; };
-    return complete && violations.empty() && !rows.empty() && std::ranges::all_of(rows, good);
+    return complete && violations.empty() && !rows.empty() && std::ranges::all_of(rows, &VerifyRow::good);
 }
 
 VerifyReport verify(const FlatScene& scene, const BuildConfig& build, const VerifyConfig& config,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -36,9 +37,10 @@ struct VerifyRow {
     std::int64_t pixel_rays = 0, adversarial_rays = 0;
     std::int64_t mismatches = 0;  // hit or miss differs, or t differs in any bit, or u, v differ for the same triangle
     std::int64_t ties = 0;        // same t, another triangle
-    std::int64_t counter_mismatches = 0;  // GL only: counters that differ from the CPU's
-    std::string first_failure;            // ray in exact hexadecimal floats, expected and found
+    std::optional<std::int64_t> counter_mismatches;  // rays whose counters differ from the CPU's, where compared
+    std::string first_failure;                       // ray in exact hexadecimal floats, expected and found
     double seconds = 0;
+    [[nodiscard]] bool good() const { return mismatches == 0 && counter_mismatches.value_or(0) == 0; }
 };
 
 struct VerifyReport {

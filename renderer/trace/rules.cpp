@@ -22,10 +22,4 @@ std::span<const RulesInfo> all_rules() { return table; }
 
 const RulesInfo& info(Rules rules) { return table[static_cast<std::size_t>(rules)]; }
 
-std::optional<Rules> find_rules(std::string_view name) {
-    for (const RulesInfo& r : table)
-        if (r.name == name) return r.id;
-    return std::nullopt;
-}
-
 }  // namespace kd

@@ -1,7 +1,6 @@
 // How a walk decides which children to visit and where to go on: robustly, or as it was printed.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -18,6 +17,5 @@ struct RulesInfo {
 
 [[nodiscard]] std::span<const RulesInfo> all_rules();
 [[nodiscard]] const RulesInfo& info(Rules rules);
-[[nodiscard]] std::optional<Rules> find_rules(std::string_view name);
 
 }  // namespace kd

@@ -15,10 +15,4 @@ std::span<const TraversalInfo> traversals() { return table; }
 
 const TraversalInfo& info(Traversal traversal) { return table[static_cast<std::size_t>(traversal)]; }
 
-std::optional<Traversal> find_traversal(std::string_view name) {
-    for (const TraversalInfo& t : table)
-        if (t.name == name) return t.id;
-    return std::nullopt;
-}
-
 }  // namespace kd

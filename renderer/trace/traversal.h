@@ -1,7 +1,6 @@
 // The traversals by name; the table itself is shaders/shared/traversals.glsl.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -27,6 +26,5 @@ struct TraversalInfo {
 
 [[nodiscard]] std::span<const TraversalInfo> traversals();
 [[nodiscard]] const TraversalInfo& info(Traversal traversal);
-[[nodiscard]] std::optional<Traversal> find_traversal(std::string_view name);
 
 }  // namespace kd

@@ -37,7 +37,7 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         on_leaf(node);
         if (finish_leaf_as_published(s, n, t_end, hit)) break;
         if (any_hit && hit.triangle >= 0) break;
-        if (t_end >= root_end) break;
+        if (is_at_most(root_end, t_end)) break;
         t_begin = t_end;
         last_leaf = node;
 
@@ -53,7 +53,7 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
             fetch_node_box(node, lower, upper);
             real t_enter = t_begin;
             t_end = root_end;
-            found = clip_as_published(s, inverse, lower, upper, t_enter, t_end) && t_end > t_begin;
+            found = clip_as_published(s, inverse, lower, upper, t_enter, t_end) && is_less(t_begin, t_end);
             if (!found) on_interior(node, true);
             parent = fetch_node(node).parent;
         }

@@ -37,7 +37,7 @@ KD_FN void published_restart(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         on_leaf(node);
         if (finish_leaf_as_published(s, n, t_end, hit)) break;
         if (any_hit && hit.triangle >= 0) break;
-        if (t_end >= root_end) break;
+        if (is_at_most(root_end, t_end)) break;
         t_begin = t_end;
         last_leaf = node;
         on_restart();

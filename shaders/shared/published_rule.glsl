@@ -5,6 +5,16 @@
 /// Steps after which an endless walk is ended and flagged; far above any walk that ends on the scenes of the paper.
 KD_CONST(int) KD_PUBLISHED_BUDGET = 32768;
 
+/// a < b and a <= b that are false where either is not a number, as in C++: GLSL may turn a comparison around.
+KD_FN bool is_less(real a, real b)
+{
+    return !(IS_NAN(a) || IS_NAN(b)) && a < b;
+}
+KD_FN bool is_at_most(real a, real b)
+{
+    return !(IS_NAN(a) || IS_NAN(b)) && a <= b;
+}
+
 /// Which child is "first", and what part of the ray lies where: the paper's section 2.3.2 (below is first where the origin
 /// is below, `<`; both bounds belong to one side), or the first edition of Physically Based Rendering, section 4.4 (`<=`;
 /// both children are visited where the plane is met at a bound). Planes that the ray is parallel to are met at infinity,
@@ -17,13 +27,13 @@ KD_FN int visit_as_published(IN(RaySetup) s, IN(real3) inverse, int axis, real s
     t_plane = t;
     if (KD_RULES == KD_RULES_FIRST_EDITION) {
         below_first = origin <= split;
-        if (t > t_end || t < real(0)) return KD_VISIT_NEAR;
-        if (t < t_begin) return KD_VISIT_FAR;
+        if (is_less(t_end, t) || is_less(t, real(0))) return KD_VISIT_NEAR;
+        if (is_less(t, t_begin)) return KD_VISIT_FAR;
         return KD_VISIT_BOTH;
     }
     below_first = origin < split;
-    if (t >= t_end || t < real(0)) return KD_VISIT_NEAR;
-    if (t <= t_begin) return KD_VISIT_FAR;
+    if (is_at_most(t_end, t) || is_less(t, real(0))) return KD_VISIT_NEAR;
+    if (is_at_most(t, t_begin)) return KD_VISIT_FAR;
     return KD_VISIT_BOTH;
 }
 
@@ -34,12 +44,12 @@ KD_FN bool clip_as_published(IN(RaySetup) s, IN(real3) inverse, real3 lower, rea
     for (int axis = 0; axis < 3; ++axis) {
         PRECISE real t_lower = (AXIS(lower, axis) - AXIS(s.ray.origin, axis)) * AXIS(inverse, axis);
         PRECISE real t_upper = (AXIS(upper, axis) - AXIS(s.ray.origin, axis)) * AXIS(inverse, axis);
-        bool turned = t_lower > t_upper;
+        bool turned = is_less(t_upper, t_lower);
         real t_near = turned ? t_upper : t_lower;
         real t_far = turned ? t_lower : t_upper;
-        t_begin = t_near > t_begin ? t_near : t_begin;
-        t_end = t_far < t_end ? t_far : t_end;
-        if (t_begin > t_end) return false;
+        t_begin = is_less(t_begin, t_near) ? t_near : t_begin;
+        t_end = is_less(t_far, t_end) ? t_far : t_end;
+        if (is_less(t_end, t_begin)) return false;
     }
     return true;
 }
@@ -72,10 +82,10 @@ KD_FN bool finish_leaf_as_published(IN(RaySetup) s, IN(KdNode) leaf, real t_end,
 {
     Hit found = hit;
     test_leaf(s, leaf, found);
-    bool within = found.triangle >= 0 && found.t <= t_end;
+    bool within = found.triangle >= 0 && is_at_most(found.t, t_end);
     if (KD_RULES == KD_RULES_FIRST_EDITION) {
         hit = found;
-        return found.triangle >= 0 && found.t < t_end;
+        return found.triangle >= 0 && is_less(found.t, t_end);
     }
     if (within) hit = found;
     return within;

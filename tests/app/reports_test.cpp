@@ -1,6 +1,7 @@
 // stats, bench, trace, verify, info: tables and JSON.
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -180,6 +181,63 @@ TEST(Verify, NothingToCheckIsNoPass) {
         run_kdscope({"verify", "cornell", "--size", "16x16", "--tracer", "cpu", "--traversal", "naive"});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.out.find("nothing was checked"), std::string::npos) << outcome.out;
+}
+
+TEST(Verify, CountersThatWereNotComparedHaveNoNumber) {
+    const Words command{"verify",   "cornell", "--size",    "16x16", "--adversarial", "0",
+                        "--tracer", "cpu",     "--builder", "paper", "--traversal",   "stack"};
+    Words as_json = command;
+    as_json.emplace_back("--json");
+    for (const json& row : json::parse(run_kdscope(as_json).out)[0]["rows"])
+        EXPECT_TRUE(row["counter_mismatches"].is_null()) << row.dump();
+    std::istringstream lines(run_kdscope(command).out);
+    int rows = 0;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("paper")) {
+            std::istringstream row(line);
+            const Words cells{std::istream_iterator<std::string>(row), {}};
+            ASSERT_EQ(cells.size(), 12u) << line;
+            EXPECT_EQ(cells[9], "-") << line;
+            EXPECT_EQ(cells[11], "good") << line;
+            ++rows;
+        }
+    EXPECT_EQ(rows, 2);
+}
+
+TEST(Stability, RowsHaveTheAgreedKeys) {
+    const test::Outcome outcome =
+        run_kdscope({"stability", "--case", "T16", "--tracer", "cpu", "--traversal", "stack", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json report = json::parse(outcome.out);
+    EXPECT_EQ(report["passed"], true);
+    EXPECT_EQ(report["cases_run"], 1);
+    EXPECT_TRUE(report["notes"].is_array());
+    ASSERT_EQ(report["cases"].size(), 1u);
+    const json& row = report["cases"][0];
+    std::set<std::string> keys;
+    for (const auto& [key, value] : row.items()) keys.insert(key);
+    EXPECT_EQ(keys, (std::set<std::string>{"case", "tracer", "context", "traversal", "n", "mismatches", "upper95",
+                                           "worst_ulp", "seconds", "verdict", "reason"}));
+    EXPECT_EQ(row["case"], "T16");
+    EXPECT_EQ(row["traversal"], "stack");
+    EXPECT_EQ(row["mismatches"], 0);
+    EXPECT_DOUBLE_EQ(row["upper95"].get<double>(), 3.0 / row["n"].get<double>());
+    EXPECT_EQ(row["verdict"], "pass");
+}
+
+TEST(Stability, PublishedRulesFailAndSayWhere) {
+    const test::Outcome outcome = run_kdscope(
+        {"stability", "--case", "T16", "--tracer", "cpu", "--traversal", "stack", "--rules", "as-published"});
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_NE(outcome.out.find("T16 fail stack cpu"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(outcome.out.ends_with("1 cases, 1 rows, 1 failed: failed\n")) << outcome.out;
+}
+
+TEST(Stability, ListsItsCasesAndRefusesOthers) {
+    const test::Outcome list = run_kdscope({"stability", "--list"});
+    EXPECT_EQ(list.code, 0);
+    EXPECT_NE(list.out.find("T14  Closed sphere from inside\n"), std::string::npos) << list.out;
+    expect_usage_error(run_kdscope({"stability", "--case", "T999"}), {"'T999'", "--list"});
 }
 
 TEST(Info, SaysWhatThisBuildIs) {

@@ -10,7 +10,7 @@
 
 namespace kd {
 
-/// One Embree scene; `run` traces the rays once, conversion included, and counts the hits.
+/// One Embree scene; `trace` answers the rays one by one, conversion of rays and hits included.
 class EmbreeTracer {
   public:
     EmbreeTracer(const FlatScene& scene, RTCSceneFlags flags)

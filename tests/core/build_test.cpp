@@ -92,7 +92,7 @@ TEST_P(EveryBuilder, ChainIsLimitedInDepth) {
 
 TEST_P(EveryBuilder, DepthLimitIsTold) {
     config_.max_depth = 3;
-    EXPECT_EQ(depth_of(build_sound(test::sphere(32, 16))), 3);
+    EXPECT_EQ(depth_of(build_sound(test::stress_sphere(32, 16))), 3);
     EXPECT_TRUE(report_.depth_limit_hit);
     build_sound(test::two_slabs());
     EXPECT_FALSE(report_.depth_limit_hit);
@@ -158,7 +158,7 @@ TEST_P(EveryBuilder, OrderOfTrianglesDoesNotMatter) {
 }
 
 TEST_P(EveryBuilder, ProgressRisesToOne) {
-    const std::vector<Triangle> ball = test::sphere(64, 32);
+    const std::vector<Triangle> ball = test::stress_sphere(64, 32);
     std::vector<float> told;
     (void)build_tree(ball, config_, nullptr, [&](float fraction) { told.push_back(fraction); });
     ASSERT_GT(told.size(), 20u);
@@ -171,7 +171,7 @@ TEST_P(EveryBuilder, ProgressRisesToOne) {
 TEST_P(EveryBuilder, StoppedBeforeItBegan) {
     std::stop_source source;
     source.request_stop();
-    const std::vector<Triangle> ball = test::sphere(16, 8);
+    const std::vector<Triangle> ball = test::stress_sphere(16, 8);
     const KdTree tree = build_tree(ball, config_, nullptr, {}, source.get_token());
     EXPECT_EQ(tree.nodes.size(), 1u);
     EXPECT_EQ(faults(tree, ball), "");
@@ -179,7 +179,7 @@ TEST_P(EveryBuilder, StoppedBeforeItBegan) {
 
 TEST_P(EveryBuilder, StoppedHalfWay) {
     std::stop_source source;
-    const std::vector<Triangle> ball = test::sphere(64, 32);
+    const std::vector<Triangle> ball = test::stress_sphere(64, 32);
     const auto stop_soon = [&](float fraction) {
         if (fraction > 0.3f) source.request_stop();
     };
@@ -203,7 +203,7 @@ TEST(Build, IdenticalTrianglesStayInOneLeaf) {
 }
 
 TEST(Build, NodesOfLeafSizeAreNotSplit) {
-    const std::vector<Triangle> ball = test::sphere(32, 16);
+    const std::vector<Triangle> ball = test::stress_sphere(32, 16);
     for (const int size : {1, 4, 100}) {
         const KdTree tree = build_tree(ball, {.leaf_size = size, .trim_leaves = false});
         EXPECT_EQ(faults(tree, ball), "");

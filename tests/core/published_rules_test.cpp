@@ -106,7 +106,7 @@ TEST(PublishedRules, LoseRaysInsideLatticePlanes) {
 
 TEST(PublishedRules, LoseWhatLiesBehindAnOriginOnASplitPlane) {
     // Inside a closed sphere every ray hits, so what is lost is seen.
-    const FlatScene scene = test::scene_of(test::sphere(40, 20));
+    const FlatScene scene = test::scene_of(test::stress_sphere(40, 20));
     const KdTree tree = build_tree(scene.triangles, {});
     test::Random random(9);
     std::vector<Ray> rays;

@@ -132,7 +132,7 @@ TEST(PaperBuilder, ReferenceCapRefusesTheSplit) {
 }
 
 TEST(PaperBuilder, IsBetterThanHalving) {
-    const std::vector<Triangle> ball = test::sphere(64, 32);
+    const std::vector<Triangle> ball = test::stress_sphere(64, 32);
     const auto cost = [&](const char* name) {
         BuildConfig config;
         config.builder = name;

@@ -82,7 +82,7 @@ TEST(Traverse, AgreesWithBruteForceOnLatticeRays) {
 
 TEST(Traverse, NeverMissesAClosedSphereAtVerticesAndEdges) {
     KdTree tree;
-    const FlatScene scene = with_tree(test::sphere(80, 40), tree);
+    const FlatScene scene = with_tree(test::stress_sphere(80, 40), tree);
     test::Random random(5);
     std::vector<Ray> rays;
     for (int i = 0; i < 40000; ++i) {
@@ -102,7 +102,7 @@ TEST(Traverse, NeverMissesAClosedSphereFarFromTheOrigin) {
     // Case T18: coordinates are so coarse here (1/64) that many origins lie exactly on split planes.
     const Vec3 centre(148376.0f, 1234.0f, -223423.0f);
     KdTree tree;
-    const FlatScene scene = with_tree(test::sphere(100, 50, 2.0f, centre), tree);
+    const FlatScene scene = with_tree(test::stress_sphere(100, 50, 2.0f, centre), tree);
     test::Random random(17);
     std::vector<Ray> rays;
     for (int i = 0; i < 20000; ++i)
@@ -114,7 +114,7 @@ TEST(Traverse, NeverMissesAClosedSphereFarFromTheOrigin) {
 
 TEST(Traverse, RaysFromFarAwayCostNoMoreThanOthers) {
     KdTree tree;
-    const FlatScene scene = with_tree(test::sphere(80, 40), tree);
+    const FlatScene scene = with_tree(test::stress_sphere(80, 40), tree);
     test::Random random(23);
     std::vector<Ray> rays;
     for (int i = 0; i < 4000; ++i) {
@@ -171,7 +171,7 @@ TEST(Traverse, TiesGoToTheLowestTriangleNumber) {
 
 TEST(Traverse, InvalidRaysHitNothingAndSaySo) {
     KdTree tree;
-    const FlatScene scene = with_tree(test::sphere(8, 6), tree);
+    const FlatScene scene = with_tree(test::stress_sphere(8, 6), tree);
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     const std::vector<Ray> rays{{Vec3(nan, 0, 0), Vec3(1, 0, 0), 0, 1e30f, -1},
                                 {Vec3(0), Vec3(nan, 1, 0), 0, 1e30f, -1},
@@ -233,7 +233,7 @@ TEST(Traverse, AViewInASymmetryPlaneIsNotPunished) {
     // The camera lies exactly on the first split planes of a centred scene; a rule that visits both sides in full there
     // costs several times the steps of a camera moved aside by a hair.
     KdTree tree;
-    const FlatScene scene = with_tree(test::sphere(40, 20), tree);
+    const FlatScene scene = with_tree(test::stress_sphere(40, 20), tree);
     const auto visits = [&](Vec3 eye) {
         std::vector<Ray> rays;
         for (int i = 0; i < 64 * 64; ++i)

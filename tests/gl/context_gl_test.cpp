@@ -1,7 +1,6 @@
 #include "renderer/gl/context.h"
 
 #include <cstdlib>
-#include <dlfcn.h>
 
 #include "renderer/gl/gl_error.h"
 #include "tests/gl/gl_test.h"
@@ -90,41 +89,6 @@ TEST(Context, AutomaticFindsOne) {
         EXPECT_NE(context->kind(), ContextKind::adopted);
     } catch (const ContextError& error) {
         GTEST_SKIP() << "NO CONTEXT: " << error.what();
-    }
-}
-
-TEST(Context, AdoptsTheCurrentOne) {
-    std::unique_ptr<Context> owner;
-    try {
-        owner = Context::create(ContextKind::egl);
-    } catch (const ContextError& error) {
-        GTEST_SKIP() << "NO CONTEXT: " << error.what();
-    }
-    void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    ASSERT_NE(library, nullptr);
-    const auto get_proc = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "eglGetProcAddress"));
-    const auto adopted = Context::adopt(get_proc);
-    EXPECT_EQ(adopted->kind(), ContextKind::adopted);
-    EXPECT_EQ(adopted->renderer(), owner->renderer());
-    dlclose(library);
-}
-
-TEST(Context, AdoptSaysWhenThereIsNone) {
-    EXPECT_THROW((void)Context::adopt([](const char*) -> void* { return nullptr; }), ContextError);
-}
-
-TEST(Context, NamesItsKinds) {
-    EXPECT_EQ(parse_context_kind("auto"), ContextKind::automatic);
-    EXPECT_EQ(parse_context_kind("osmesa"), ContextKind::osmesa);
-    EXPECT_EQ(parse_context_kind("egl"), ContextKind::egl);
-    for (const char* bad : {"", "adopted", "EGL", "glx"}) {
-        try {
-            (void)parse_context_kind(bad);
-            FAIL() << bad;
-        } catch (const ContextError& error) {
-            EXPECT_EQ(std::string(error.what()),
-                      std::string("unknown context '") + bad + "'. Known: auto, osmesa, egl");
-        }
     }
 }
 

@@ -138,14 +138,6 @@ TEST_P(FrameGl, NamesItsClock) {
     EXPECT_LE(sum, report.total_ms * 1.001 + 0.01);
 }
 
-TEST_P(FrameGl, ColourTextureHoldsThePicture) {
-    const Frame frame = draw_whole(20, 10);
-    std::vector<Vec4> pixels(200);
-    gl().BindTexture(GL_TEXTURE_2D, tracer->colour_texture());
-    gl().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
-    EXPECT_EQ(pixels, frame.colour.pixels);
-}
-
 TEST_P(FrameGl, LeavesTheStateOfOthersAlone) {
     gl().Viewport(1, 2, 3, 4);
     gl().Enable(GL_BLEND);
@@ -228,7 +220,6 @@ TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget) {
 TEST_P(FrameGl, NothingUploadedIsAnError) {
     GlTracer fresh(*context);
     EXPECT_THROW((void)fresh.draw(config, PinholeCamera{}, 4, 4, whole(4, 4)), GlError);
-    EXPECT_EQ(fresh.colour_texture(), 0u);
     EXPECT_TRUE(fresh.read_frame(config.trace).colour.empty());
 }
 

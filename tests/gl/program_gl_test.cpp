@@ -71,21 +71,27 @@ TEST_P(ProgramGl, KeepsProgramsByKey) {
     EXPECT_EQ(cache.size(), 2u);
 }
 
-TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalAndSwitch) {
+TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
     ProgramCache cache(gl());
+    const auto compile = [&](const TraversalInfo& traversal, const RulesInfo& rules, bool on) {
+        for (const Step step :
+             {Step::rt_prim, Step::shade_prim, Step::rt_refl, Step::shade_refl, Step::mark, Step::rays}) {
+            ProgramSettings s;
+            s.trace.traversal = traversal.id;
+            s.trace.rules = rules.id;
+            s.trace.counters = s.count_shaded = s.limited_loops = s.corrected_rounding = on;
+            s.trace.leaf_lists = on ? LeafLists::duplicated : LeafLists::references;
+            s.needs = {.textures = on, .normals = on, .shadows = on, .reflections = on, .bounces = 2};
+            s.early_z = on ? EarlyZ::as_published : EarlyZ::working;
+            s.later_bounce = on && (step == Step::rt_refl || step == Step::shade_refl);
+            EXPECT_NO_THROW((void)cache.get(program_key(step, s)))
+                << traversal.name << " " << rules.name << " step " << int(step);
+        }
+    };
     for (const TraversalInfo& traversal : traversals())
-        for (const bool on : {false, true})
-            for (const Step step :
-                 {Step::rt_prim, Step::shade_prim, Step::rt_refl, Step::shade_refl, Step::mark, Step::rays}) {
-                ProgramSettings s;
-                s.trace.traversal = traversal.id;
-                s.trace.counters = s.count_shaded = s.limited_loops = on;
-                s.trace.leaf_lists = on ? LeafLists::duplicated : LeafLists::references;
-                s.needs = {.textures = on, .normals = on, .shadows = on, .reflections = on, .bounces = 2};
-                s.early_z = on ? EarlyZ::as_published : EarlyZ::working;
-                s.later_bounce = on && (step == Step::rt_refl || step == Step::shade_refl);
-                EXPECT_NO_THROW((void)cache.get(program_key(step, s))) << traversal.name << " step " << int(step);
-            }
+        for (const RulesInfo& rules : all_rules())
+            if (rules.id == Rules::robust || traversal.has_published_form())
+                for (const bool on : {false, true}) compile(traversal, rules, on);
     EXPECT_NO_THROW(check_gl(gl(), "compiling"));
 }
 

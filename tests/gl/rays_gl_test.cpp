@@ -26,16 +26,34 @@ class RaysGl : public ContextTest {
     }
 
   private:
-    static void compare(CpuTracer& cpu, GlTracer& gl_tracer, std::span<const Ray> rays, bool any_hit) {
-        for (const TraversalInfo& traversal : traversals()) {
-            TraceConfig config{.traversal = traversal.id};
+    /// Every traversal under every set of rules that it has a form for.
+    static std::vector<std::pair<Traversal, Rules>> walks() {
+        std::vector<std::pair<Traversal, Rules>> walks;
+        for (const TraversalInfo& traversal : traversals())
+            for (const RulesInfo& rules : all_rules())
+                if (rules.id == Rules::robust || traversal.has_published_form())
+                    walks.emplace_back(traversal.id, rules.id);
+        return walks;
+    }
+
+    static void compare(CpuTracer& cpu, GlTracer& gl_tracer, std::span<const Ray> all, bool any_hit) {
+        for (const auto& [traversal, rules] : walks()) {
+            // Without a stack some published walks never end; under the first edition's rules most of them.
+            const bool may_be_endless = rules != Rules::robust && !info(traversal).needs_stack;
+            const bool most_are = may_be_endless && rules == Rules::first_edition;
+            const std::span<const Ray> rays = all.first(most_are ? std::min<std::size_t>(all.size(), 200) : all.size());
+            const TraceConfig config{.traversal = traversal, .rules = rules};
             std::vector<Hit> expected(rays.size()), found(rays.size());
             std::vector<RayCounters> expected_counters(rays.size()), counters(rays.size());
             cpu.trace_rays(config, rays, any_hit, expected, expected_counters, 2);
             gl_tracer.trace_rays(config, rays, any_hit, found, counters);
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                ASSERT_TRUE(bit_equal(expected[i], found[i]) && expected_counters[i] == counters[i])
-                    << traversal.name << " ray " << i << " " << test::hex(rays[i]);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                // llvmpipe ends the loops of such a ray and its neighbours before their budget does, which is told as a
+                // step cap too; what was counted until then is another number.
+                const bool cut = may_be_endless && counters[i].exit_reason == KD_EXIT_STEP_CAP;
+                ASSERT_TRUE(cut || (bit_equal(expected[i], found[i]) && expected_counters[i] == counters[i]))
+                    << info(traversal).name << " " << info(rules).name << " ray " << i << " " << test::hex(rays[i]);
+            }
         }
     }
 };
@@ -51,6 +69,31 @@ TEST_P(RaysGl, UnkindRaysThroughASoup) {
 TEST_P(RaysGl, UnkindRaysThroughACity) {
     const FlatScene scene = test::scene_of(test::voxel_city(4));
     compare(scene, test::unkind_rays(scene.triangles, 6000, 13), false);
+}
+
+TEST_P(RaysGl, KindRaysThroughASoup) {
+    const FlatScene scene = test::scene_of(test::random_soup(300, 0.1f, 7));
+    test::Random random(31);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 5000; ++i) rays.push_back({random.point(-1, 2), random.point(-1, 1), 0.0f, KD_T_LIMIT, -1});
+    compare(scene, rays, false);
+}
+
+TEST_P(RaysGl, RaysInSplitPlanes) {
+    // Under the published rules such a plane is met at 0 * infinity: not a number, and no comparison with it is true.
+    const FlatScene scene = test::scene_of(test::voxel_city(4));
+    std::vector<Ray> rays;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < 25; ++i)
+            for (const float zero : {0.0f, -0.0f}) {
+                Vec3 origin, direction(zero);
+                origin[axis] = -1.0f;
+                origin[(axis + 1) % 3] = float(i % 5);
+                origin[(axis + 2) % 3] = float(i / 5);
+                direction[axis] = 1.0f;
+                rays.push_back({origin, direction, 0.0f, KD_T_LIMIT, -1});
+            }
+    compare(scene, rays, false);
 }
 
 TEST_P(RaysGl, RaysThatAreNone) {

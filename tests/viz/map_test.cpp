@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 #include <set>
 
@@ -150,6 +151,14 @@ TEST(MapGolden, EveryMap) {
         test::expect_golden(paint_map(map, heat, choose_range(map, heat)), "map_" + config.map,
                             exact ? test::Tolerance{} : test::Tolerance{1, 0.001});
     }
+}
+
+TEST(MapGolden, MapsOfOtherTiles) {
+    for (const auto& [w, h] : {std::pair{4, 2}, {32, 1}})
+        for (const char* name : {"divergence", "idle"}) {
+            const ScalarMap map = compute_map(test::ball_frame(), {name, Pass::rt_prim, w, h});
+            test::expect_golden(paint_map(map, {}, choose_range(map, {})), fmt::format("map_{}_{}x{}", name, w, h));
+        }
 }
 
 TEST(Map, EachIsExplainedInTheManual) {

@@ -1,0 +1,129 @@
+// The stability suite, on the CPU and OpenGL.
+
+#include "renderer/measure/stability/stability.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/gl/context.h"
+#include "renderer/trace/traversal.h"
+
+namespace kd {
+namespace {
+
+TEST(UpperBound95, NoneSeenIsThreeOverN) {
+    EXPECT_DOUBLE_EQ(upper_bound_95(0, 1000), 0.003);
+    EXPECT_DOUBLE_EQ(upper_bound_95(0, 3'000'000), 1e-6);
+    EXPECT_EQ(upper_bound_95(0, 2), 1.0) << "no share is above 1";
+    EXPECT_EQ(upper_bound_95(0, 0), 1.0) << "nothing was asked";
+}
+
+TEST(UpperBound95, SomeSeenIsWilsons) {
+    // (p + z²/2n + z sqrt(p(1-p)/n + z²/4n²)) / (1 + z²/n) with z = 1.6449, worked out by hand
+    EXPECT_NEAR(upper_bound_95(1, 100), 0.04358, 5e-6);
+    EXPECT_NEAR(upper_bound_95(50, 100), 0.58115, 5e-6);
+    EXPECT_EQ(upper_bound_95(100, 100), 1.0);
+    EXPECT_GT(upper_bound_95(1, 1'000'000), 1e-6);
+    EXPECT_LT(upper_bound_95(1, 1'000'000), 6e-6);
+}
+
+TEST(StabilityCases, EachSaysWhatItIs) {
+    std::set<std::string_view> ids;
+    int exempt = 0;
+    for (const StabilityCase& info : stability_cases()) {
+        EXPECT_TRUE(ids.insert(info.id).second) << info.id;
+        EXPECT_NE(info.run, nullptr) << info.id;
+        for (const std::string_view text : {info.title, info.construction, info.oracle, info.acceptance})
+            EXPECT_FALSE(text.empty()) << info.id;
+        exempt += !info.exempt.empty();
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(stability_cases(), {}, &StabilityCase::id));
+    EXPECT_TRUE(ids.contains("T14"));
+    EXPECT_LE(exempt, 3);
+}
+
+StabilityReport run(Rules rules, std::vector<std::string> traversals, std::vector<ContextKind> contexts = {}) {
+    StabilityConfig config;
+    config.cases = {"T16"};
+    config.rules = rules;
+    config.traversals = std::move(traversals);
+    config.contexts = std::move(contexts);
+    return run_stability(config);
+}
+
+TEST(Stability, ASpheresVerticesHoldUnderTheRobustRules) {
+    const StabilityReport report = run(Rules::robust, {});
+    EXPECT_TRUE(report.passed());
+    EXPECT_EQ(report.cases_run, 1);
+    ASSERT_EQ(report.rows.size(), traversals().size() - 1) << "all but naive";
+    for (const StabilityRow& row : report.rows) {
+        EXPECT_EQ(row.id, "T16");
+        EXPECT_EQ(row.tracer, "cpu");
+        EXPECT_EQ(row.n, 100'000) << "a tenth";
+        EXPECT_EQ(row.mismatches, 0) << row.reason;
+        EXPECT_EQ(row.verdict, Verdict::pass);
+        EXPECT_DOUBLE_EQ(row.upper95, 3e-5);
+    }
+}
+
+TEST(Stability, ASpheresVerticesAreLostAsPublished) {
+    const StabilityReport report = run(Rules::as_published, {"stack"});
+    EXPECT_FALSE(report.passed());
+    ASSERT_EQ(report.rows.size(), 1u);
+    const StabilityRow& row = report.rows[0];
+    EXPECT_EQ(row.verdict, Verdict::fail);
+    EXPECT_GT(row.mismatches, 0);
+    EXPECT_GT(row.upper95, double(row.mismatches) / double(row.n));
+    EXPECT_NE(row.reason.find("0x"), std::string::npos) << "the ray in exact hexadecimal floats: " << row.reason;
+}
+
+TEST(Stability, OpenGlIsHeldToTheSame) {
+    try {
+        if (!Context::create(ContextKind::osmesa)->is_software()) GTEST_SKIP() << "NO CONTEXT: not in software";
+    } catch (const ContextError& error) {
+        GTEST_SKIP() << "NO CONTEXT: " << error.what();
+    }
+    const StabilityReport report = run(Rules::robust, {"restart"}, {ContextKind::osmesa});
+    EXPECT_TRUE(report.passed());
+    ASSERT_EQ(report.rows.size(), 2u);
+    EXPECT_EQ(report.rows[1].tracer, "gl-fragment");
+    EXPECT_EQ(report.rows[1].context, "osmesa");
+    EXPECT_EQ(report.rows[1].n, report.rows[0].n);
+}
+
+TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
+    StabilityConfig config;
+    config.cases = {"T14", "T999"};
+    bool started = false;
+    try {
+        (void)run_stability(config, [&](float, const std::string&) { started = true; });
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), "case 'T999': not known; `kdscope stability --list` names all");
+    }
+    EXPECT_FALSE(started);
+}
+
+TEST(Stability, StopsWhenAsked) {
+    std::stop_source stop;
+    stop.request_stop();
+    const StabilityReport report = run_stability({}, {}, stop.get_token());
+    EXPECT_FALSE(report.complete);
+    EXPECT_FALSE(report.passed());
+}
+
+TEST(StabilityReport, PassesOnlyWhereSomethingRanAndNothingFailed) {
+    StabilityReport report;
+    EXPECT_FALSE(report.passed());
+    report.rows.resize(2);
+    EXPECT_TRUE(report.passed());
+    report.rows[1].verdict = Verdict::exempt;
+    EXPECT_TRUE(report.passed());
+    report.rows[0].verdict = Verdict::fail;
+    EXPECT_FALSE(report.passed());
+}
+
+}  // namespace
+}  // namespace kd
