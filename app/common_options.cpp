@@ -4,6 +4,7 @@
 
 #include "app/typed_options.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -190,7 +191,7 @@ std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naiv
 
 FlatScene open_scene(const CommonOptions& options, Session& session) {
     FlatScene scene = load_scene(session.scene, session.seed);
-    Camera& camera = scene.camera;
+    Camera camera = to_scene_units(scene, scene.camera);
     camera.eye = options.camera.eye.value_or(camera.eye);
     camera.target = options.camera.target.value_or(camera.target);
     camera.up = options.camera.up.value_or(camera.up);
@@ -198,7 +199,10 @@ FlatScene open_scene(const CommonOptions& options, Session& session) {
     if (!is_valid(camera))
         throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
     const CameraOptions& given = options.camera;
-    if (given.eye || given.target || given.up || given.fov_y_degrees) session.camera = camera;
+    if (given.eye || given.target || given.up || given.fov_y_degrees) {
+        scene.camera = to_internal(scene, camera);
+        session.camera = scene.camera;
+    }
     return scene;
 }
 

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
+#include "renderer/scene/units.h"
+
 namespace kd {
 
 namespace {
@@ -92,9 +94,9 @@ Json json_of(const FlatScene& scene) {
               {"textures", scene.textures.size()},
               {"lights", scene.lights.size()},
               {"notes", scene.notes}};
-    json["bounds"] = scene.bounds.empty()
-                         ? Json(nullptr)
-                         : Json{{"lower", json_of(scene.bounds.lower)}, {"upper", json_of(scene.bounds.upper)}};
+    json["bounds"] = scene.bounds.empty() ? Json(nullptr)
+                                          : Json{{"lower", json_of(to_scene_units(scene, scene.bounds.lower))},
+                                                 {"upper", json_of(to_scene_units(scene, scene.bounds.upper))}};
     return json;
 }
 

@@ -15,6 +15,7 @@
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
+#include "renderer/scene/units.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -48,6 +49,14 @@ void add_rows(std::string& table, std::string_view algorithm, const std::string&
         for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
         table += fmt::format(",{}\n", counters[i].exit_reason);
     }
+}
+
+/// In scene units. A miss keeps the ray's own tmax, which may not survive the way there and back.
+Hit as_asked(const FlatScene& scene, const Ray& ray, const Hit& hit) {
+    if (scene.exponent == 0) return hit;
+    Hit shown = to_scene_units(scene, hit);
+    if (hit.triangle < 0) shown.t = std::min(ray.t_max, KD_T_LIMIT);
+    return shown;
 }
 
 /// The tracers asked for; one that is not there is told in a line unless it was named.
@@ -102,8 +111,10 @@ void trace_in_steps(const RayTracer& tracer, const TraceConfig& config, std::spa
 
 /// The table of all tracers and traversals. What a tracer refuses is left out and told, unless it was asked for by name.
 std::string trace_all(const TraceOptions& options, const RayTracers& tracers, TraceConfig config,
-                      const std::vector<Ray>& rays, CommandContext& context) {
+                      const FlatScene& scene, const std::vector<Ray>& asked, CommandContext& context) {
     std::string table = header();
+    std::vector<Ray> rays;
+    for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
     ProgressLine progress(context);
     std::vector<Hit> hits(rays.size());
     std::vector<RayCounters> counters(rays.size());
@@ -112,6 +123,7 @@ std::string trace_all(const TraceOptions& options, const RayTracers& tracers, Tr
             config.traversal = traversal;
             try {
                 trace_in_steps(tracer, config, rays, hits, counters, progress, context);
+                for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
                 add_rows(table, info(traversal).name, tracer.name, hits, counters);
             } catch (const InputError& error) {
                 if (options.traversal) throw;
@@ -134,7 +146,7 @@ int run(const TraceOptions& options, CommandContext& context) {
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
     check_stop(context);
     const RayTracers tracers(options, scene, tree, context);
-    const std::string table = trace_all(options, tracers, session.trace, rays, context);
+    const std::string table = trace_all(options, tracers, session.trace, scene, rays, context);
     check_stop(context);
     if (to_file) {
         write_file(options.output, table);

@@ -4,6 +4,7 @@
 #include "app/panels/panel.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
+#include "renderer/scene/units.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -34,7 +35,8 @@ void draw_scene_panel(const EngineState& state, Edit& edit) {
                    "A reflective material makes the reflection passes necessary.");
     if (!scene.textures.empty())
         widgets::value("textures", number_text(double(scene.textures.size())), "Images on surfaces.");
-    widgets::value("size", size_text(scene.bounds), "Extent of all triangles along x, y and z, in scene units.");
+    widgets::value("size", size_text(to_scene_units(scene, scene.bounds)),
+                   "Extent of all triangles along x, y and z, in scene units.");
     if (takes_seed(edit.session.scene)) {
         int seed = int(edit.session.seed);
         if (widgets::slider("seed", seed, 1, 100, "%d", "Another arrangement of the same scene."))

@@ -19,12 +19,16 @@ constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
 
 template <class Work>
 void parallel(std::size_t count, std::size_t grain, int threads, const Work& work) {
-    tbb::task_arena arena(threads > 0 ? threads : default_threads());
-    arena.execute([&] {
+    const auto all = [&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, grain),
             [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
-    });
+    };
+    // An arena of one's own costs some kilobytes that do not come back; one per frame would grow for ever.
+    if (threads <= 0 || threads == default_threads())
+        all();
+    else
+        tbb::task_arena(threads).execute(all);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 template <class Observer, Rules rules>
 class Kernel {
   public:
-    Kernel(const SceneView& scene_view, Traversal traversal, Observer& first)
+    Kernel(const SceneView& scene_view, const TraceConfig& config, Observer& first)
         : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
           corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
-          chosen(traversal), observer(&first) {}
+          chosen(config.traversal), most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget),
+          observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
 
@@ -20,6 +21,7 @@ class Kernel {
     const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
     Traversal chosen;
+    int most_steps;
     Observer* observer;
 
     // Observer.
@@ -85,7 +87,7 @@ class Kernel {
     bool shadows_enabled() const { return view.needs.shadows; }
     real3 scene_ambient() const { return view.scene->ambient; }
     real3 scene_background() const { return view.scene->background; }
-    int step_budget() const { return cpu_step_budget; }
+    int step_budget() const { return most_steps; }
 
   public:
 #define KD_STACK_SIZE max_tree_depth

@@ -25,7 +25,7 @@ namespace kd::HWY_NAMESPACE {
 template <class Observer, Rules rules>
 void run_with(const TileJob& job) {
     Observer observer;
-    Kernel<Observer, rules> kernel(job.view, job.config.traversal, observer);
+    Kernel<Observer, rules> kernel(job.view, job.config, observer);
     for (int y = job.tile.y0; y < job.tile.y1; ++y)
         for (int x = job.tile.x0; x < job.tile.x1; ++x)
             trace_pixel<Kernel<Observer, rules>, Observer>(kernel, job, x, y);
@@ -34,7 +34,7 @@ void run_with(const TileJob& job) {
 template <class Observer, Rules rules>
 void run_with(const RayJob& job) {
     Observer first;
-    Kernel<Observer, rules> kernel(job.view, job.config.traversal, first);
+    Kernel<Observer, rules> kernel(job.view, job.config, first);
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
         Observer observer;
         kernel.observe(observer);

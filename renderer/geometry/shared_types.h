@@ -10,6 +10,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#ifdef __FAST_MATH__
+#error "kdscope needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
+#endif
+
 #define OUT(T) T&
 #define INOUT(T) T&
 #define IN(T) const T&

@@ -92,7 +92,7 @@ int stack_size_for(const KdTree& tree) {
     return max_tree_depth;
 }
 
-gl_blocks::SceneBlock encode_block(const FlatScene& scene) {
+gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget) {
     const int lights_at = 3 * int(scene.materials.size());
     const int textures_at = lights_at + 4 * int(scene.lights.size());
     return {
@@ -101,7 +101,7 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene) {
         .ambient = Vec4(scene.ambient, 0.0f),
         .background = Vec4(scene.background, 1.0f),
         .counts = {int(scene.triangles.size()), int(scene.lights.size()), lights_at, textures_at},
-        .limits = {gl_step_budget, loop_check_rounds, 0, 0},
+        .limits = {step_budget, loop_check_rounds, 0, 0},
     };
 }
 
@@ -114,11 +114,19 @@ SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScen
       corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
       material_index_(gl, GL_R32I, encode_material_index(scene), "material numbers"),
       tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {
-    block_.set(gl, encode_block(scene));
+    set_step_budget(0);
+}
+
+void SceneUpload::set_step_budget(int wanted) {
+    const int budget = wanted > 0 ? std::min(wanted, gl_step_budget) : gl_step_budget;
+    if (budget == step_budget_) return;
+    step_budget_ = budget;
+    block_.set(gl_, encode_block(scene_, budget));
 }
 
 void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
     check_config(sizes_, config, limits_);
+    set_step_budget(config.step_budget);
     if (info(config.traversal).needs_boxes && !boxes_)
         boxes_ = BufferTexture(gl_, GL_RGBA32F, encode_boxes(node_boxes(tree_)), "node boxes");
     if (config.leaf_lists == LeafLists::duplicated && !leaf_corners_)

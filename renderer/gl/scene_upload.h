@@ -28,12 +28,15 @@ class SceneUpload {
     [[nodiscard]] int stack_size() const { return stack_size_; }
 
   private:
+    void set_step_budget(int wanted);
+
     const GlApi& gl_;
     GlLimits limits_;
     const FlatScene& scene_;
     const KdTree& tree_;
     UploadSizes sizes_;
     int stack_size_;
+    int step_budget_ = 0;
     UniformBuffer<gl_blocks::SceneBlock> block_;
     BufferTexture nodes_, references_, corners_, material_index_, tables_;
     BufferTexture boxes_, leaf_corners_, normals_, texture_coordinates_, texels_;  // where asked for

@@ -31,7 +31,7 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     Frame walks(width, height);
     tbb::parallel_for(0, height, [&](int y) {
         WalkCounter counter;
-        Kernel<WalkCounter, Rules::robust> kernel(view, Traversal::stack, counter);
+        Kernel<WalkCounter, Rules::robust> kernel(view, TraceConfig{}, counter);
         const TileJob job{view, config, camera, {0, y, width, y + 1}, walks};
         for (int x = 0; x < width; ++x) trace_pixel<decltype(kernel), WalkCounter>(kernel, job, x, y);
     });

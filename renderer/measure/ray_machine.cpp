@@ -25,6 +25,12 @@ class CpuMachine : public RayMachine {
                std::span<RayCounters> counters, std::stop_token stop) override {
         return tracer_->trace_rays(config, rays, any_hit, hits, counters, threads_, std::move(stop));
     }
+    Frame frame(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                std::stop_token stop) override {
+        Frame traced(width, height);
+        tracer_->trace_frame(config, camera, traced, threads_, std::move(stop));
+        return traced;
+    }
 
   private:
     int threads_;
@@ -54,6 +60,14 @@ class GlMachine : public RayMachine {
                                 counters.empty() ? counters : counters.subspan(first, n));
         }
         return true;
+    }
+    Frame frame(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                std::stop_token) override {
+        context_->make_current();
+        GlTraceConfig gl;
+        gl.trace = config;
+        tracer_->draw(gl, camera, width, height, {0, 0, width, height});
+        return tracer_->read_frame(config);
     }
 
   private:

@@ -10,6 +10,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/frame.h"
 #include "renderer/trace/trace_config.h"
 
 namespace kd {
@@ -25,6 +26,9 @@ class RayMachine {
     /// `counters` may be empty: nothing is counted then. False where stopped. InputError for what it cannot trace.
     virtual bool trace(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                        std::span<RayCounters> counters, std::stop_token stop) = 0;
+    /// A whole frame, all passes. Incomplete where stopped.
+    virtual Frame frame(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                        std::stop_token stop) = 0;
 };
 
 /// `threads` 0 = all.

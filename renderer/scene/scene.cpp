@@ -5,20 +5,23 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "renderer/scene/parts.h"
 #include "renderer/scene/scene_check.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
 namespace {
 
+/// Twice a triangle's area times the distance of a ray's origin must not underflow.
+constexpr double smallest_area = 0x1p-100;
+
 /// What flattening had to drop or replace.
 struct Tally {
-    std::int64_t degenerate = 0, out_of_range = 0, normals = 0, texture_coordinates = 0, lights = 0;
+    std::int64_t degenerate = 0, out_of_range = 0, too_small = 0, normals = 0, texture_coordinates = 0, lights = 0;
 };
 
 /// An instance's matrix, in double, split into what positions and normals need.
@@ -71,6 +74,24 @@ class Flattener {
             if (placement.handedness < 0.0) std::swap(vertices[1], vertices[2]);
             add_triangle(mesh, placement, vertices);
         }
+    }
+
+    /// After all instances: brings the triangles to internal units, and drops those whose tests would underflow in them.
+    void finish() {
+        rescale(flat_);
+        std::size_t kept = 0;
+        Aabb bounds;
+        for (std::size_t i = 0; i < flat_.triangles.size(); ++i) {
+            const auto& [a, b, c] = flat_.triangles[i].corner;
+            if (glm::length(area_vector(a, b, c)) < smallest_area) continue;
+            for (const Vec3& p : flat_.triangles[i].corner) bounds.include(p);
+            flat_.triangles[kept] = flat_.triangles[i];
+            flat_.attributes[kept++] = flat_.attributes[i];
+        }
+        tally_.too_small = std::int64_t(flat_.triangles.size() - kept);
+        flat_.triangles.resize(kept);
+        flat_.attributes.resize(kept);
+        flat_.bounds = bounds;
     }
 
     [[nodiscard]] const Tally& tally() const { return tally_; }
@@ -144,15 +165,16 @@ bool is_usable(const Light& light) {
 
 /// Lights and camera, with replacements where the scene has none that can be used.
 void add_view(const Scene& scene, FlatScene& flat, Tally& tally) {
-    if (scene.camera && is_valid(*scene.camera)) {
-        flat.camera = *scene.camera;
+    if (scene.camera && is_valid(*scene.camera) && is_valid(to_internal(flat, *scene.camera))) {
+        flat.camera = to_internal(flat, *scene.camera);
     } else {
         flat.camera = fit_camera(flat.bounds);
         if (scene.camera)
             flat.notes.emplace_back(
                 "replaced the scene's camera, which cannot be used, by one that sees the whole scene");
     }
-    std::ranges::copy_if(scene.lights, std::back_inserter(flat.lights), is_usable);
+    for (const Light& light : scene.lights)
+        if (is_usable(light) && is_usable(to_internal(flat, light))) flat.lights.push_back(to_internal(flat, light));
     tally.lights = std::int64_t(scene.lights.size() - flat.lights.size());
     if (flat.lights.empty()) {
         flat.lights.push_back(default_light(flat.camera));
@@ -182,10 +204,13 @@ FlatScene flatten(const Scene& scene) {
     for (const Instance& instance : scene.instances)
         flattener.add_instance(scene.meshes[std::size_t(instance.mesh)], instance.to_world);
 
+    flattener.finish();
+
     Tally tally = flattener.tally();
     add_view(scene, flat, tally);
     note(flat, tally.degenerate, "dropped", "degenerate triangle");
     note(flat, tally.out_of_range, "dropped", "triangle", " with coordinates that are not finite or beyond 1.844e18");
+    note(flat, tally.too_small, "dropped", "triangle", " too small beside the scene for single precision");
     note(flat, tally.normals, "replaced", "vertex normal", " that cannot be used by the triangle's own");
     note(flat, tally.texture_coordinates, "replaced", "texture coordinate", " that are not finite by 0");
     note(flat, tally.lights, "dropped", "light", " with values that are not finite");

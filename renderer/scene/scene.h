@@ -62,6 +62,7 @@ struct FlatScene {
     Vec3 background{0.0f};
     Aabb bounds;
     Camera camera;
+    int exponent = 0;          // all lengths here times 2^exponent are in scene units: see units.h
     bool has_normals = false;  // some vertex normal differs from the geometric one
     std::vector<std::string> notes;
 };

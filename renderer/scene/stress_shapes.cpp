@@ -3,7 +3,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "renderer/scene/overlap_shapes.h"
 #include "renderer/scene/parts.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -27,6 +29,7 @@ FlatScene bare_scene(std::vector<Triangle> triangles) {
         for (const Vec3& p : t.corner) scene.bounds.include(p);
     }
     scene.triangles = std::move(triangles);
+    rescale(scene);
     scene.materials = {default_material()};
     scene.camera = fit_camera(scene.bounds);
     scene.lights = {default_light(scene.camera)};
@@ -64,17 +67,12 @@ std::vector<Triangle> stress_sphere(int columns, int rows, float radius, Vec3 ce
 }
 
 std::vector<Triangle> voxel_city(int n) {
-    static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
-                                        {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     std::vector<Triangle> city;
     for (int i = 0; i < n * n * n; ++i) {
         const int x = i / (n * n), y = i / n % n, z = i % n;
         if ((7 * x + 13 * y + 5 * z) % 3 != 0) continue;
-        const auto corner = [&](int c) { return Vec3(x + (c >> 2 & 1), y + (c >> 1 & 1), z + (c & 1)); };
-        for (const auto& f : faces) {
-            city.push_back({{corner(f[0]), corner(f[1]), corner(f[2])}});
-            city.push_back({{corner(f[0]), corner(f[2]), corner(f[3])}});
-        }
+        const Vec3 lower(x, y, z);
+        for (const Triangle& t : box_faces({lower, lower + 1.0f})) city.push_back(t);
     }
     return city;
 }

@@ -8,7 +8,7 @@
 
 namespace kd {
 
-/// A flat scene of these triangles, as they are: one grey material, one light, geometric normals, a fitted camera.
+/// A flat scene of these triangles, all of them, in internal units (units.h): one grey material, one light, geometric normals, a fitted camera.
 [[nodiscard]] FlatScene bare_scene(std::vector<Triangle> triangles);
 
 /// n triangles with corners within `size` of a random point of the unit cube.

@@ -17,6 +17,7 @@ struct TraceConfig {
     int reflection_depth = 1;           // bounces; the paper's one-bounce reflection
     float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255
     bool counters = true;
+    int step_budget = 0;  // steps after which a walk is ended and flagged; 0 = the tracer's own, which is also the most
 
     bool operator==(const TraceConfig&) const = default;
 };

@@ -15,6 +15,10 @@ struct RaySetup {
     real3 permuted_origin;
 };
 
+// Lengths that a direction may have: within them neither t nor the products that make it leave single precision.
+KD_CONST(real) KD_SHORTEST_DIRECTION = real(1e-30);
+KD_CONST(real) KD_LONGEST_DIRECTION = real(1.5e20);
+
 KD_FN bool finite3(real3 a, real limit)
 {
     return !(IS_NAN(a.x) || IS_NAN(a.y) || IS_NAN(a.z)) && abs(a.x) <= limit && abs(a.y) <= limit && abs(a.z) <= limit;
@@ -24,8 +28,8 @@ KD_FN bool finite3(real3 a, real limit)
 KD_FN bool valid_ray(IN(Ray) ray)
 {
     real largest = max_component(abs(ray.direction));
-    return finite3(ray.origin, KD_COORDINATE_LIMIT) && finite3(ray.direction, KD_COORDINATE_LIMIT) &&
-           largest > real(1e-30) && !(IS_NAN(ray.t_min) || IS_NAN(ray.t_max)) && ray.t_min >= real(0) &&
+    return finite3(ray.origin, KD_COORDINATE_LIMIT) && finite3(ray.direction, KD_LONGEST_DIRECTION) &&
+           largest > KD_SHORTEST_DIRECTION && !(IS_NAN(ray.t_min) || IS_NAN(ray.t_max)) && ray.t_min >= real(0) &&
            ray.t_min < ray.t_max;
 }
 

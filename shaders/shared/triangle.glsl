@@ -11,6 +11,19 @@ KD_FN real with_exact_sign(real edge, real p, real q, real r, real s)
     return lost;
 }
 
+// A triangle whose determinant is below this fraction of its squared size, seen along the ray, is thin: rounding of its
+// edge functions moves the hit along it by up to 2^-23 over the fraction.
+KD_CONST(real) KD_THIN = real(1e-2);
+
+/// The edge function p*q - r*s with what rounding its products took away. Its sign stays: rounding keeps their order.
+KD_FN real with_lost_digits(real p, real q, real r, real s)
+{
+    PRECISE real rounded = p * q - r * s;
+    PRECISE real lost = product_error(p, q) - product_error(r, s);
+    PRECISE real restored = rounded + lost;
+    return restored;
+}
+
 /// Six branches on the signs would be unpredictable ones; this is one on the least and one on the greatest.
 KD_FN bool signs_differ(real a, real b, real c)
 {
@@ -49,6 +62,13 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     }
 
     PRECISE real determinant = edge_a + edge_b + edge_c;
+    real size = max(max_component(abs(real3(ax, bx, cx))), max_component(abs(real3(ay, by, cy))));
+    if (KD_RARE(abs(determinant) < KD_THIN * size * size)) {
+        edge_a = with_lost_digits(cx, by, cy, bx);
+        edge_b = with_lost_digits(ax, cy, ay, cx);
+        edge_c = with_lost_digits(bx, ay, by, ax);
+        determinant = edge_a + edge_b + edge_c;
+    }
     if (determinant == real(0)) return;
 
     PRECISE real scaled_t = edge_a * (s.shear.z * a.z) + edge_b * (s.shear.z * b.z) + edge_c * (s.shear.z * c.z);

@@ -42,9 +42,11 @@ int check(Traversal traversal, const FlatScene& scene, const KdTree& tree, const
     view.tree = &tree;
     view.boxes = node_boxes(tree);
     int again = 0;
+    TraceConfig config;
+    config.traversal = traversal;
     for (const Ray& ray : rays) {
         SetObserver seen;
-        test_kernel::Kernel<SetObserver, rules> kernel(view, traversal, seen);
+        test_kernel::Kernel<SetObserver, rules> kernel(view, config, seen);
         Hit hit = kernel.no_hit(ray);
         kernel.traverse(ray, false, hit);
         EXPECT_TRUE(seen.consistent) << test::hex(ray);

@@ -13,6 +13,7 @@
 #include "renderer/scene/flat_shapes.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/random.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 namespace {
@@ -96,7 +97,7 @@ TEST(Flatten, TransformsInDouble) {
     }());
     ASSERT_EQ(flat.triangles.size(), 1u);
     const double exact = 16777215.0 * double(1.0000001f) - 16777215.0;
-    EXPECT_EQ(flat.triangles[0].corner[0].x, float(exact));
+    EXPECT_EQ(to_scene_units(flat, flat.triangles[0].corner[0]).x, float(exact));
     EXPECT_NE(float(exact), 16777215.0f * 1.0000001f - 16777215.0f) << "float would do: the test shows nothing";
 }
 

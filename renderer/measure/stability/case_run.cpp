@@ -66,9 +66,13 @@ StabilityRow& CaseRun::row(std::string_view tracer, std::string_view context, st
 }
 
 Subject CaseRun::subject(std::vector<Triangle> triangles, const BuildConfig& build) {
+    return subject(bare_scene(std::move(triangles)), build);
+}
+
+Subject CaseRun::subject(FlatScene scene, const BuildConfig& build) {
     check_stop();
     Subject made;
-    made.scene = bare_scene(std::move(triangles));
+    made.scene = std::move(scene);
     made.tree = build_tree(made.scene.triangles, build, &made.built, {}, stop_);
     check_stop();
     for (const Violation& violation : validate(made.tree, made.scene.triangles, 1))
@@ -137,9 +141,10 @@ void CaseRun::judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& 
 
 void CaseRun::record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason) {
     StabilityRow& r = row("-", "-", what);
+    // A failure's text comes before what was merely measured.
+    if (r.reason.empty() || (r.mismatches == 0 && mismatches > 0)) r.reason = reason;
     r.n += n;
     r.mismatches += mismatches;
-    if (r.reason.empty()) r.reason = reason;
 }
 
 void CaseRun::fail(StabilityRow& r, const std::string& reason) {
@@ -149,6 +154,7 @@ void CaseRun::fail(StabilityRow& r, const std::string& reason) {
 std::vector<StabilityRow> CaseRun::finish() {
     std::vector<StabilityRow> finished;
     for (const auto& r : rows_) {
+        if (r->n == 0 && r->mismatches == 0) continue;  // not used by this case
         r->upper95 = upper_bound_95(r->mismatches, r->n);
         r->verdict = r->mismatches == 0 ? Verdict::pass : info_.exempt.empty() ? Verdict::fail : Verdict::exempt;
         if (r->verdict == Verdict::exempt) r->reason = fmt::format("{}; {}", info_.exempt, r->reason);

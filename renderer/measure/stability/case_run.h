@@ -48,6 +48,7 @@ class CaseRun {
 
     /// A grey scene of these triangles and its tree. A tree that validate() objects to is recorded as a failure.
     [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const BuildConfig& build = {});
+    [[nodiscard]] Subject subject(FlatScene scene, const BuildConfig& build = {});
 
     /// Traces the rays with every traversal on every machine and adds to their rows.
     void check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation = {});

@@ -1,0 +1,210 @@
+// Cameras, lights and long runs.
+
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#ifdef __linux__
+#include <unistd.h>
+#endif
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/cases.h"
+#include "renderer/measure/stability/path_rays.h"
+#include "renderer/scene/parts.h"
+#include "renderer/scene/stress_shapes.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+/// The direction of a pixel's ray, in double from the camera itself.
+glm::dvec3 exact_direction(const Camera& camera, double x, double y, int width, int height) {
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double half = std::tan(0.5 * glm::radians(double(camera.fov_y_degrees)));
+    const double sx = (2 * (x + 0.5) / width - 1) * half * width / height, sy = (1 - 2 * (y + 0.5) / height) * half;
+    return glm::normalize(forward + sx * right + sy * up);
+}
+
+struct View {
+    float fov;
+    int width, height;
+};
+
+constexpr View views[] = {{1e-3f, 64, 64}, {179.9f, 64, 64}, {45, 1, 10'000},  {45, 10'000, 1},  {45, 1, 1},
+                          {45, 1, 77},     {45, 8193, 1},    {1e-3f, 8193, 1}, {179.9f, 1, 8193}};
+
+bool same_hits(const Frame& a, const Frame& b) {
+    for (std::size_t i = 0; i < a.layers[0].hit.pixels.size(); ++i)
+        if (!bit_equal(a.layers[0].hit.pixels[i], b.layers[0].hit.pixels[i])) return false;
+    return true;
+}
+
+void run_view(CaseRun& run, const Subject& ball, const View& view) {
+    Camera camera = ball.scene.camera;
+    camera.fov_y_degrees = view.fov;
+    const PinholeCamera lens = pinhole(camera, view.width, view.height);
+    double worst = 0;
+    for (int i = 0; i < view.width * view.height; ++i) {
+        const int x = i % view.width, y = i / view.width;
+        const Ray ray = pixel_ray(lens, x, y, view.width, view.height);
+        const glm::dvec3 error = glm::dvec3(ray.direction) - exact_direction(camera, x, y, view.width, view.height);
+        worst = std::max(worst, std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)}) / 0x1p-24);
+    }
+    const std::string name = fmt::format("{} degrees, {}x{}", view.fov, view.width, view.height);
+    run.record("direction", view.width * view.height, worst <= 4 ? 0 : 1,
+               worst <= 4 ? "" : fmt::format("{}: {:.2g} ulp", name, worst));
+    Frame expected(view.width, view.height);
+    CpuTracer(ball.scene, ball.tree).trace_frame({}, lens, expected, run.threads(), run.stop());
+    run.each(ball, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        const Frame frame = machine.frame(trace, lens, view.width, view.height, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(view.width) * view.height;
+        // The published rules lose hits; what is compared here is one rule on all machines.
+        if (trace.rules == Rules::robust && !same_hits(frame, expected))
+            CaseRun::fail(row, name + ": not the CPU's hits");
+    });
+}
+
+void run_views(CaseRun& run) {
+    const Subject ball = run.subject(stress_sphere(20, 10));
+    for (const View& view : views) run_view(run, ball, view);
+    int accepted = 0;
+    for (const float fov : {179.99f, 180.0f, 0.0f, -1.0f, std::nanf("")}) {
+        Camera camera = ball.scene.camera;
+        camera.fov_y_degrees = fov;
+        accepted += is_valid(camera);
+    }
+    run.record("refused", 5, accepted, accepted > 0 ? "an angle that cannot be used was accepted" : "");
+}
+
+void run_parallel_up(CaseRun& run) {
+    std::int64_t wrong = 0;
+    const std::size_t count = run.rays(10'000);
+    for (std::size_t i = 0; i < count; ++i) {
+        Camera camera;
+        camera.eye = random_point(run.random(), -10, 10);
+        const Vec3 view = i % 7 < 3 ? Vec3(i % 7 == 0, i % 7 == 1, i % 7 == 2) * random_sign(run.random())
+                                    : random_direction(run.random());
+        camera.target = camera.eye + view;
+        camera.up = i % 5 == 0 ? Vec3(0.0f) : (camera.target - camera.eye) * random_sign(run.random()) * 3.0f;
+        const PinholeCamera lens = pinhole(camera, 100, 100);
+        const double half = std::tan(0.5 * glm::radians(double(camera.fov_y_degrees)));
+        const glm::dvec3 f(lens.forward), r = glm::dvec3(lens.right) / half, u = glm::dvec3(lens.up) / half;
+        const double worst =
+            std::max({std::abs(glm::dot(f, r)), std::abs(glm::dot(f, u)), std::abs(glm::dot(r, u)),
+                      std::abs(glm::length(f) - 1), std::abs(glm::length(r) - 1), std::abs(glm::length(u) - 1)});
+        wrong += !(worst <= 1e-6);
+    }
+    run.record("basis", std::int64_t(count), wrong, wrong > 0 ? "right, up and forward are not at right angles" : "");
+}
+
+void run_lights(CaseRun& run) {
+    const Subject plain = run.subject(stress_sphere(20, 10));
+    const Vec3 vertex = plain.scene.triangles[50].corner[0];
+    for (const Vec3 at : {vertex, Vec3(0.0f), Vec3(0, 0, 1.5f)})
+        for (const Vec2 attenuation : {Vec2(1, 0), Vec2(0, 1), Vec2(0, 0)})
+            for (const float shininess : {0.0f, 1.0f, 1e6f}) {
+                FlatScene scene = plain.scene;
+                scene.lights = {point_light(at, Vec3(1), attenuation)};
+                scene.materials = {glossy(Vec3(0.5f), 0.5f, shininess)};
+                const Subject subject{scene, plain.tree, plain.built};
+                run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+                    constexpr int size = 24;
+                    const Frame frame = machine.frame(trace, pinhole(scene.camera, size, size), size, size, run.stop());
+                    run.check_stop();
+                    row.n += size * size;
+                    for (const Vec4& c : frame.colour.pixels)
+                        if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0))
+                            CaseRun::fail(
+                                row, fmt::format("a colour of {},{},{} with exponent {}", c.x, c.y, c.z, shininess));
+                });
+            }
+}
+
+/// Of this process, in bytes; 0 where the system does not say or a sanitizer keeps freed memory.
+std::int64_t resident_bytes() {
+#if defined(__linux__) && !defined(KD_SANITIZED)
+    std::ifstream file("/proc/self/statm");
+    std::int64_t pages = 0, resident = 0;
+    if (file >> pages >> resident) return resident * sysconf(_SC_PAGESIZE);
+#endif
+    return 0;
+}
+
+bool same_frame(const Frame& a, const Frame& b) {
+    return std::memcmp(a.colour.pixels.data(), b.colour.pixels.data(), a.colour.pixels.size() * sizeof(Vec4)) == 0 &&
+           same_hits(a, b);
+}
+
+void run_long(CaseRun& run) {
+    constexpr int size = 32;
+    const Subject ball = run.subject(stress_sphere(20, 10));
+    const int frames = run.long_run() ? 2000 : 200;
+    run.each(ball, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        const auto at = [&](int frame) {
+            const double turn = 2 * M_PI * (frame % frames) / frames;
+            Camera camera = ball.scene.camera;
+            camera.eye = Vec3(float(3 * std::cos(turn)), 1, float(3 * std::sin(turn)));
+            return machine.frame(trace, pinhole(camera, size, size), size, size, run.stop());
+        };
+        const Frame first = at(0);
+        for (int i = 1; i < std::min(frames / 4, 100); ++i) (void)at(i);  // until caches are full
+        const std::int64_t before = resident_bytes();
+        for (int i = 1; i < frames; ++i) {
+            run.check_stop();
+            (void)at(i);
+        }
+        const bool same = same_frame(first, at(frames));
+        const std::int64_t grown = resident_bytes() - before;
+        row.n += frames;
+        if (!same) CaseRun::fail(row, "the camera came back to another frame");
+        if (grown >= 1 << 20) CaseRun::fail(row, fmt::format("memory grew by {} bytes over {} frames", grown, frames));
+    });
+}
+
+}  // namespace
+
+StabilityCase case_T58() {
+    return {"T58",
+            "Angles of view and shapes of frames",
+            "0.001 and 179.9 degrees; frames of 1x1, 1x77, 8193x1, 10,000x1 and 1x10,000",
+            "directions in double precision; the CPU's hits",
+            "directions within 4 ulp of 1 per component, the same hits everywhere, 179.99 and 180 degrees refused",
+            run_views};
+}
+
+StabilityCase case_T59() {
+    return {"T59",
+            "Up along the view",
+            "10,000 cameras whose up is parallel to the view or zero",
+            "exact",
+            "right, up and forward at right angles within 1e-6",
+            run_parallel_up};
+}
+
+StabilityCase case_T60() {
+    return {"T60",
+            "Lights where they should not be",
+            "A light on a vertex, inside and outside a sphere, falling off by 1, 1/r^2 and 1/0; exponents 0, 1 and 1e6",
+            "exact",
+            "every colour finite and not negative",
+            run_lights};
+}
+
+StabilityCase case_T61() {
+    return {"T61",
+            "Long run",
+            "A camera once round a sphere in 200 frames (2000 with --long)",
+            "the first frame",
+            "the last frame is the first bit for bit; memory grows by less than 1 MB",
+            run_long};
+}
+
+}  // namespace kd

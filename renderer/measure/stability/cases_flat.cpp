@@ -1,0 +1,177 @@
+// Scenes without thickness, almost without, and one upon another.
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/measure/stability/case_pictures.h"
+#include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/cases.h"
+#include "renderer/scene/overlap_shapes.h"
+#include "renderer/scene/stress_shapes.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<Triangle> sheet_at(float z, int n) { return grid({0, 0, z}, {1, 0, 0}, {0, 1, 0}, n, n); }
+
+/// Straight down or up at the unit square, with what it meets at z = `height` exactly.
+void check_straight(CaseRun& run, const Subject& subject, std::size_t count, float height, float tolerance) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float side = random_sign(run.random());
+        Vec3 o = random_point(run.random(), 0, 1);
+        if (i % 4 == 0) o = subject.scene.triangles[i % subject.scene.triangles.size()].corner[0];
+        o.z = height + side * 0.25f * float(1 + random_below(run.random(), 4));
+        rays.push_back(ray_along(o, {0, 0, -side}));
+    }
+    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        std::vector<Hit> hits(rays.size());
+        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const float lost = std::abs(hits[i].t - std::abs(rays[i].origin.z - height));
+            if (hits[i].triangle < 0 || !(lost <= tolerance))
+                CaseRun::fail(
+                    row, fmt::format("t off by {}: ray {}: found {}", lost, exact_text(rays[i]), exact_text(hits[i])));
+        }
+    });
+}
+
+void run_flat(CaseRun& run) {
+    const Subject flat = run.subject(sheet_at(0.5f, 200));
+    const std::vector<int> depths = node_depths(flat.tree);
+    const int deepest = *std::ranges::max_element(depths);
+    const double most = 8 + 1.3 * std::log2(double(flat.scene.triangles.size()));
+    run.record("tree", 1, deepest <= most ? 0 : 1, fmt::format("depth {} of {:.0f}", deepest, most));
+    check_straight(run, flat, run.rays(1'000'000), 0.5f, 0x1p-22f);
+    const auto origin = [&] { return random_point(run.random(), -1, 2); };
+    run.check(flat, rays_to_edges(run.random(), flat.scene.triangles, 1500, origin));
+    run.check(flat, rays_to_vertices(run.random(), flat.scene.triangles, 1500, origin));
+}
+
+/// Rays within the plane that all triangles lie in.
+void run_in_plane(CaseRun& run) {
+    const Subject flat = run.subject(sheet_at(0, 200));
+    std::vector<Ray> rays;
+    for (int i = 0; i < 600; ++i) {
+        Vec3 o = random_point(run.random(), -1, 2), d = random_direction(run.random());
+        o.z = 0;
+        d.z = i % 2 ? 0.0f : -0.0f;
+        if (i % 4 < 2) d[i % 2] = 0;  // along a row or column of the grid
+        if (i % 3 == 0) o = flat.scene.triangles[std::size_t(i)].corner[0];
+        rays.push_back(ray_along(o, d));
+    }
+    run.check(flat, rays);
+
+    const Subject tilted = run.subject(grid(Vec3(0.0f), {1, 0, 0.3f}, {0, 1, 0.7f}, 200, 200));
+    const auto in_plane = [&] {
+        const auto x = float(run.random().between(-1, 2)), y = float(run.random().between(-1, 2));
+        return Vec3(x, y, 0.3f * x + 0.7f * y);
+    };
+    for (Ray& ray : rays) {
+        const Vec3 o = in_plane();
+        ray = ray_to(o, in_plane());
+    }
+    run.check(tilted, rays);
+
+    Camera camera;
+    camera.eye = {0.5f, -1, 0};
+    camera.target = {0.5f, 0.5f, 0};
+    camera.up = {0, 0, 1};
+    check_picture(run, flat, camera, 31, 31);  // odd: the middle row lies in the plane
+}
+
+void run_terrain(CaseRun& run) {
+    const int cells = run.long_run() ? 707 : 400;
+    const Subject land = run.subject(terrain(cells, 1e-7f, run.random()));
+    check_straight(run, land, run.rays(1'000'000), 0, 4e-7f);
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < run.rays(2000) * 3 / 10; ++i) {
+        Vec3 from = random_point(run.random(), -0.5f, 1.5f), to = random_point(run.random(), 0, 1);
+        if (i % 2) from.z = float(run.random().between(-1e-7, 2e-7));  // grazing
+        to.z = float(run.random().between(0, 1e-7));
+        rays.push_back(ray_to(from, to));
+    }
+    run.check(land, rays);
+}
+
+/// Twice the same sheet: everywhere the one that comes first in the scene must be seen.
+void run_coincident(CaseRun& run) {
+    constexpr int cells = 20;
+    std::vector<Triangle> twice = sheet_at(0.5f, cells);
+    const std::size_t first = twice.size();
+    for (const Triangle& t : sheet_at(0.5f, cells)) twice.push_back(t);
+    FlatScene scene = bare_scene(twice);
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].diffuse = Vec3(1, 0, 0);
+    for (std::size_t i = first; i < twice.size(); ++i) scene.attributes[i].material = 1;
+    const Subject sheets = run.subject(scene);
+
+    const auto origin = [&] { return random_point(run.random(), -1, 2); };
+    const std::size_t count = run.rays(1'000'000) / 3;
+    std::vector<Ray> rays = rays_to_edges(run.random(), twice, count, origin);
+    for (const Ray& ray : rays_to_vertices(run.random(), twice, count, origin)) rays.push_back(ray);
+    while (rays.size() < 3 * count) {
+        Vec3 to = random_point(run.random(), 0, 1);
+        to.z = 0.5f;
+        rays.push_back(ray_to(origin(), to));
+    }
+    const std::vector<Hit> expected = brute_force(sheets.scene, rays, run.threads(), run.stop());
+    run.check_stop();
+    run.each(sheets, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        std::vector<Hit> hits(rays.size());
+        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (!bit_equal(hits[i], expected[i]) || hits[i].triangle >= int(first))
+                CaseRun::fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(rays[i]),
+                                               exact_text(expected[i]), exact_text(hits[i])));
+    });
+}
+
+}  // namespace
+
+StabilityCase case_T07() {
+    return {"T07",
+            "All in one plane",
+            "A sheet of 80,000 triangles at z = 0.5; rays straight at it, and 3000 to its edges and vertices",
+            "exact for the straight ones; brute force for the others",
+            "every straight ray hits, t within 2^-22; 0 mismatches; depth at most 8 + 1.3 log2 N",
+            run_flat};
+}
+
+StabilityCase case_T08() {
+    return {"T08",
+            "Inside the plane that all lies in",
+            "The sheet of T07 at z = 0 with 600 rays within z = 0 and a picture of 31 x 31 by a camera in it; the "
+            "same sheet tilted, with 600 rays as close to its plane as floats are",
+            "brute force",
+            "0 mismatches, no colour that is not finite",
+            run_in_plane};
+}
+
+StabilityCase case_T29() {
+    return {"T29",
+            "Almost flat",
+            "A terrain of 320,000 triangles (999,698 with --long) of height 1e-7 over the unit square; rays straight "
+            "at it, and 300 slanting and grazing ones (600 with --long)",
+            "exact to the height for the straight ones; brute force for the others",
+            "every straight ray hits, t within 4e-7; 0 mismatches",
+            run_terrain};
+}
+
+StabilityCase case_T31() {
+    return {"T31",
+            "Two sheets in one place",
+            "The same sheet of 800 triangles twice, in two materials; rays to insides, edges and vertices",
+            "brute force; the sheet with the lower triangle numbers",
+            "the same triangle in every variant, never one of the second sheet",
+            run_coincident};
+}
+
+}  // namespace kd

@@ -1,0 +1,299 @@
+// Limits of numbers, stacks, trails and loops: what lies at them works, what lies beyond is refused or flagged.
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/gl/gl_limits.h"
+#include "renderer/kdtree/encode.h"
+#include "renderer/kdtree/validate.h"
+#include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/cases.h"
+#include "renderer/scene/stress_shapes.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+template <class Action>
+std::string refusal(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void run_float_indices(CaseRun& run) {
+    for (const std::int32_t index : {(1 << 24) - 1, 1 << 24, (1 << 24) + 1}) {
+        KdTree tree;
+        tree.nodes[0].count = 1;
+        tree.nodes[0].link = index;
+        KdTree back;
+        const std::string refused =
+            refusal([&] { back = decode_float4(encode_float4(tree), tree.references, tree.bounds); });
+        const bool right = index > float_index_limit ? !refused.empty() : refused.empty() && back == tree;
+        run.record("nodes", 1, right ? 0 : 1, right ? refused : fmt::format("{} does not come back", index));
+    }
+    const GlLimits large{std::int64_t(1) << 40, 16384};
+    const auto upload = [&](const UploadSizes& sizes) { return refusal([&] { check_upload(sizes, large); }); };
+    const std::int64_t limit = float_index_limit;
+    const bool nodes = upload({.nodes = limit}).empty() && !upload({.nodes = limit + 1}).empty();
+    const bool lists = upload({.references = limit}).empty() && !upload({.references = limit + 1}).empty();
+    run.record("upload", 2, int(!nodes) + int(!lists));
+    // Addresses of triangles are integers: three texels each, up to what the context holds.
+    const GlLimits usual{134'217'728, 16384};
+    const std::int64_t most = usual.buffer_texels / 3;
+    const bool fits = refusal([&] { check_upload({.triangles = most}, usual); }).empty() &&
+                      !refusal([&] { check_upload({.triangles = most + 1}, usual); }).empty();
+    run.record("triangles", 1, fits ? 0 : 1, fmt::format("{} triangles fit 134,217,728 texels", most));
+}
+
+/// Rays that miss give back their tmax: all bits of a float, denormals and all, through upload, shader and read-back.
+void run_echo(CaseRun& run, std::size_t count) {
+    const Subject subject = run.subject(stress_sphere(8, 4));
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i)
+        rays.push_back({Vec3(5, 0, 0), Vec3(1, 0, 0), 0, float(i % float_index_limit + 1), int(i)});
+    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        std::vector<Hit> hits(rays.size());
+        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (hits[i].triangle != -1 || hits[i].t != rays[i].t_max)
+                CaseRun::fail(row, fmt::format("ray {} of {} got the answer of another: {}", i, rays.size(),
+                                               exact_text(hits[i])));
+    });
+}
+
+/// Triangle numbers and materials as bits: every triangle is hit by its own ray and must be named.
+void run_numbers(CaseRun& run) {
+    const Subject plane = run.subject(grid({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 100, 100));
+    std::vector<Ray> rays;
+    std::vector<Hit> known;
+    for (const Triangle& t : plane.scene.triangles) {
+        const Vec3 middle = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0f;
+        rays.push_back(ray_along(middle + Vec3(0, 0, 1), Vec3(0, 0, -1)));
+    }
+    const std::vector<Hit> found = brute_force(plane.scene, rays, run.threads(), run.stop());
+    std::int64_t wrong = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) wrong += found[i].triangle != int(i);
+    run.record("brute force", std::int64_t(found.size()), wrong);
+    run.check(plane, rays);
+}
+
+/// `depth` triangles at x = 1, 1/2, 1/4, ... and one more at x = 0, each in a leaf of its own at a level of its own. The
+/// nodes lie on one path: the child below each split holds all the rest.
+Subject chain(CaseRun& run, int depth) {
+    std::vector<Triangle> walls;
+    for (int i = 0; i <= depth; ++i) {
+        const float x = i == depth ? 0.0f : std::ldexp(1.0f, -i);
+        walls.push_back({{Vec3(x, -1, -1), Vec3(x, 1, -1), Vec3(x, 0, 1)}});
+    }
+    Subject made;
+    made.scene = bare_scene(walls);
+    made.tree.bounds = made.scene.bounds;
+    made.tree.nodes.clear();
+    for (int i = 0; i < depth; ++i) {
+        TreeNode node;
+        node.flag = 0;
+        node.split = 0.75f * std::ldexp(1.0f, -i);
+        node.link = 2 * depth - i;  // leaves above come after all interior nodes and the last leaf, deepest first
+        node.parent = i - 1;
+        made.tree.nodes.push_back(node);
+    }
+    const auto add_leaf = [&](int triangle, int parent) {
+        TreeNode leaf;
+        leaf.count = 1;
+        leaf.link = int(made.tree.references.size());
+        leaf.parent = parent;
+        made.tree.references.push_back(triangle);
+        made.tree.nodes.push_back(leaf);
+    };
+    add_leaf(depth, depth - 1);
+    for (int i = depth - 1; i >= 0; --i) add_leaf(i, i);
+    for (const Violation& v : validate(made.tree, made.scene.triangles, 1))
+        run.record("tree", 1, 1, fmt::format("chain of depth {}: node {}: {}", depth, v.node, v.message));
+    return made;
+}
+
+void run_chain(CaseRun& run, int depth, std::size_t count) {
+    const Subject subject = chain(run, depth);
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        // Both ways along the chain, past all walls, and from between them.
+        const float turn = i % 2 == 0 ? 1.0f : -1.0f;
+        Vec3 from = random_point(run.random(), -0.9f, 0.9f), to = random_point(run.random(), -1.6f, 1.6f);
+        from.x = i % 3 == 0 ? std::ldexp(1.0f, -random_below(run.random(), depth + 1)) * 1.2f : -1.5f * turn;
+        to.x = 2 * turn;
+        if (i % 4 == 0) from = Vec3(-2 * turn, 3, 0), to = Vec3(2 * turn, 0.999f, -0.999f);
+        rays.push_back(ray_to(from, to));
+    }
+    Expectation e;
+    e.what = fmt::format("depth {}: ", depth);
+    run.check(subject, rays, e);
+    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        std::vector<Hit> hits(rays.size());
+        std::vector<RayCounters> counters(rays.size());
+        (void)machine.trace(trace, rays, false, hits, counters, run.stop());
+        run.check_stop();
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (counters[i].exit_reason > uint(KD_EXIT_HIT) || counters[i].stack_depth > uint(max_tree_depth))
+                CaseRun::fail(row, fmt::format("{}{}: ray {}", e.what, exit_reason_name(counters[i].exit_reason),
+                                               exact_text(rays[i])));
+    });
+}
+
+/// The naive traversal of `count` triangles on each machine: as on the CPU, or refused with a reason.
+void run_naive(CaseRun& run, int count) {
+    Random& random = run.random();
+    const Subject soup = run.subject(random_soup(count, 0.02f, random), {.leaf_size = 64, .max_depth = 8});
+    std::vector<Ray> rays;
+    for (int i = 0; i < 200; ++i) rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
+    const std::vector<Hit> expected = brute_force(soup.scene, rays, run.threads(), run.stop());
+    run.each(soup, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        if (trace.traversal != Traversal::stack) return;
+        TraceConfig naive;
+        naive.traversal = Traversal::naive;
+        std::vector<Hit> hits(rays.size());
+        const std::string refused = refusal([&] { (void)machine.trace(naive, rays, false, hits, {}, run.stop()); });
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        const bool fits = machine.tracer() == "cpu" || count <= gl_step_budget;
+        if (fits != refused.empty())
+            CaseRun::fail(row, fmt::format("{} triangles: {}", count, fits ? refused : "not refused"));
+        for (std::size_t i = 0; i < rays.size() && refused.empty(); ++i)
+            if (!bit_equal(hits[i], expected[i]))
+                CaseRun::fail(row, fmt::format("{} triangles: ray {}: expected {}, found {}", count,
+                                               exact_text(rays[i]), exact_text(expected[i]), exact_text(hits[i])));
+    });
+}
+
+void run_stuck(CaseRun& run) {
+    const Subject city = run.subject(voxel_city(10));
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < run.rays(10'000); ++i) {
+        Vec3 corner;
+        for (int axis = 0; axis < 3; ++axis) corner[axis] = float(random_below(run.random(), 11));
+        const Vec3 d(random_sign(run.random()), random_sign(run.random()), random_sign(run.random()));
+        rays.push_back(ray_along(corner - 20.0f * d, d));
+    }
+    const std::vector<Hit> expected = brute_force(city.scene, rays, run.threads(), run.stop());
+    std::int64_t fewest = std::int64_t(rays.size());
+    run.each(city, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        TraceConfig guarded = trace;
+        guarded.step_budget = 64;
+        std::vector<Hit> hits(rays.size());
+        std::vector<RayCounters> counters(rays.size());
+        (void)machine.trace(guarded, rays, false, hits, counters, run.stop());
+        std::vector<Ray> flagged;
+        std::vector<std::size_t> places;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (counters[i].exit_reason == uint(KD_EXIT_STEP_CAP)) {
+                flagged.push_back(rays[i]);
+                places.push_back(i);
+            }
+        // What was flagged is traced again with the whole budget.
+        std::vector<Hit> again(flagged.size());
+        (void)machine.trace(trace, flagged, false, again, {}, run.stop());
+        run.check_stop();
+        for (std::size_t k = 0; k < places.size(); ++k) hits[places[k]] = again[k];
+        fewest = std::min(fewest, std::int64_t(flagged.size()));
+        row.n += std::int64_t(rays.size());
+        if (flagged.empty()) CaseRun::fail(row, "no ray was flagged");
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (!bit_equal(hits[i], expected[i]))
+                CaseRun::fail(row, fmt::format("silently wrong: ray {}: expected {}, found {}", exact_text(rays[i]),
+                                               exact_text(expected[i]), exact_text(hits[i])));
+    });
+    run.record("flagged", std::int64_t(rays.size()), fewest > 0 ? 0 : 1, fmt::format("at least {} flagged", fewest));
+}
+
+}  // namespace
+
+StabilityCase case_T45() {
+    return {"T45",
+            "Numbers at the end of float",
+            "Node links 2^24 - 1, 2^24, 2^24 + 1 in the tree's float texels; as many nodes, list entries and triangles "
+            "to upload",
+            "exact",
+            "up to 2^24 it comes back exactly, beyond it is refused",
+            run_float_indices};
+}
+
+StabilityCase case_T46() {
+    return {"T46",
+            "Integers through the graphics memory",
+            "20,000 triangles of one plane, a ray to the middle of each",
+            "exact: the triangle's own number; brute force",
+            "every number comes back",
+            run_numbers};
+}
+
+StabilityCase case_T47() {
+    return {"T47",
+            "Places at the ends of rows",
+            "Lists of 4095, 4096, 4097, 8193 and 100,001 rays (2^24 with --long) that each answer with a number of "
+            "their own",
+            "exact",
+            "every ray gets its own answer",
+            [](CaseRun& run) {
+                for (const std::size_t count : {4095u, 4096u, 4097u, 8193u}) run_echo(run, count);
+                run_echo(run, run.long_run() ? std::size_t(1) << 24 : 100'001);
+            }};
+}
+
+StabilityCase case_T48() {
+    return {
+        "T48",
+        "Depth of the stack",
+        "Chains of walls at x = 1, 1/2, 1/4, ..., trees of depth 1 to 64 with one leaf at each level; rays both ways",
+        "brute force",
+        "0 mismatches, no stack overflow, no step cap",
+        [](CaseRun& run) {
+            for (int depth = 1; depth <= max_tree_depth; depth += run.long_run() || depth > 60 ? 1 : 3)
+                run_chain(run, depth, 300);
+        }};
+}
+
+StabilityCase case_T49() {
+    return {"T49",
+            "Bits of the restart trail",
+            "The chains of T48 of depth 31, 32, 33, 63 and 64",
+            "brute force",
+            "0 mismatches, no step cap",
+            [](CaseRun& run) {
+                for (const int depth : {31, 32, 33, 63, 64}) run_chain(run, depth, run.rays(20'000));
+            }};
+}
+
+StabilityCase case_T50() {
+    return {"T50",
+            "Loop budget",
+            "Every triangle tested, no tree: 60,000, 60,001, 65,534, 65,536 and 100,000 triangles",
+            "brute force on the CPU",
+            "the same hits, or refused with the numbers above 60,000 on OpenGL",
+            [](CaseRun& run) {
+                for (const int count : {60'000, 60'001, 65'534, 65'536, 100'000}) run_naive(run, count);
+                const std::string refused = refusal([] {
+                    TraceConfig naive;
+                    naive.traversal = Traversal::naive;
+                    check_config({.triangles = 1'000'000}, naive, {134'217'728, 16384});
+                });
+                run.record("1e6 triangles", 1, refused.empty() ? 1 : 0, refused);
+            }};
+}
+
+StabilityCase case_T51() {
+    return {"T51",
+            "Rays that are stopped",
+            "Diagonal rays through corners of a voxel city with a budget of 64 steps; those flagged are traced again",
+            "brute force",
+            "some are flagged, none is silently wrong, and traced again all are right",
+            run_stuck};
+}
+
+}  // namespace kd

@@ -1,0 +1,89 @@
+// One answer on every machine, whatever the processor's instruction set and the compiler's wishes.
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+#include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/cases.h"
+#include "renderer/measure/stability/path_rays.h"
+#include "renderer/scene/stress_shapes.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<Ray> mixed_rays(Random& random, const std::vector<Triangle>& triangles, std::size_t count) {
+    const auto origin = [&] { return random_point(random, -0.3f, 0.3f); };
+    std::vector<Ray> rays = rays_to_edges(random, triangles, count / 3, origin);
+    for (const Ray& ray : rays_to_vertices(random, triangles, count / 3, origin)) rays.push_back(ray);
+    while (rays.size() < count) rays.push_back(ray_along(origin(), random_direction(random)));
+    return rays;
+}
+
+/// Hits and counters of each traversal, against those of the first machine that walked it.
+void run_machines(CaseRun& run) {
+    const Subject ball = run.subject(stress_sphere(80, 40));
+    const std::vector<Ray> rays = mixed_rays(run.random(), ball.scene.triangles, run.rays(1'000'000));
+    struct Answers {
+        std::vector<Hit> hits;
+        std::vector<RayCounters> counters;
+    };
+    std::map<Traversal, Answers> first;
+    run.each(ball, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        Answers found{std::vector<Hit>(rays.size()), std::vector<RayCounters>(rays.size())};
+        (void)machine.trace(trace, rays, false, found.hits, found.counters, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        const auto [known, is_first] = first.try_emplace(trace.traversal, found);
+        if (is_first) return;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (!bit_equal(found.hits[i], known->second.hits[i]) || !(found.counters[i] == known->second.counters[i]))
+                CaseRun::fail(row, fmt::format("not as on the CPU: ray {}: {} and {}", exact_text(rays[i]),
+                                               exact_text(known->second.hits[i]), exact_text(found.hits[i])));
+    });
+}
+
+/// a*b + c rounded twice gives 0 here, once (fused) 2^-46.
+std::int64_t fused_products() {
+    const volatile float a = 1 + 0x1p-23f, b = 1 - 0x1p-23f, c = -1;
+    const float sum = a * b + c;
+    return sum != 0.0f;
+}
+
+/// The tracer's hot code is compiled for each instruction set, fused multiply-add among them; what it answers must be what
+/// the plain processor answers. Bits of u and v show every contraction.
+void run_build(CaseRun& run) {
+    const std::int64_t fused = fused_products();
+    run.record("a*b+c", 1, fused, fused > 0 ? "the compiler fused a product and a sum" : "");
+    const Subject ball = run.subject(stress_sphere(30, 15));
+    const std::vector<Ray> rays = mixed_rays(run.random(), ball.scene.triangles, run.rays(100'000));
+    std::vector<Hit> plain;
+    for (const Ray& ray : rays) plain.push_back(plain_brute_force(ball.scene, ray));
+    Expectation e;
+    e.known = &plain;
+    run.check(ball, rays, e);
+}
+
+}  // namespace
+
+StabilityCase case_T62() {
+    return {"T62",
+            "The same on every machine",
+            "The sphere of T14, a third of the rays each to edges, to vertices and anywhere",
+            "the first machine, the CPU where it takes part",
+            "hits and counters equal in every bit on CPU and llvmpipe",
+            run_machines};
+}
+
+StabilityCase case_T63() {
+    return {"T63",
+            "No fused arithmetic",
+            "A sum of products that shows fusing; rays to a sphere on the tracer's instruction set and in OpenGL",
+            "the same text compiled for the plain processor",
+            "equal in every bit; a build with -ffast-math does not compile",
+            run_build};
+}
+
+}  // namespace kd

@@ -1,0 +1,154 @@
+// Triangles upon triangles: what makes trees explode and leaves overflow.
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/gl/gl_limits.h"
+#include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/cases.h"
+#include "renderer/scene/overlap_shapes.h"
+#include "renderer/scene/stress_shapes.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<Ray> rays_across(Random& random, std::size_t count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i)
+        rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
+    return rays;
+}
+
+/// Every answer is that of brute force, or the step budget of a shader cannot hold the leaf and the walk says so.
+void check_or_refused(CaseRun& run, const Subject& subject, const std::vector<Ray>& rays) {
+    const std::vector<Hit> expected = brute_force(subject.scene, rays, run.threads(), run.stop());
+    run.check_stop();
+    const bool fits = subject.scene.triangles.size() < std::size_t(gl_step_budget);
+    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+        std::vector<Hit> hits(rays.size());
+        std::vector<RayCounters> counters(rays.size());
+        (void)machine.trace(trace, rays, false, hits, counters, run.stop());
+        run.check_stop();
+        row.n += std::int64_t(rays.size());
+        const bool may_refuse = !fits && machine.tracer() != "cpu";
+        int refused = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const bool capped = counters[i].exit_reason == KD_EXIT_STEP_CAP;
+            refused += capped;
+            if (capped ? may_refuse : bit_equal(hits[i], expected[i])) continue;
+            CaseRun::fail(row, fmt::format("{} triangles: ray {}: expected {}; found {}{}",
+                                           subject.scene.triangles.size(), exact_text(rays[i]), exact_text(expected[i]),
+                                           exact_text(hits[i]), capped ? " at the step cap" : ""));
+        }
+        if (refused > 0 && row.reason.empty())
+            row.reason = fmt::format("{} triangles: {} of {} rays ended at the step cap and say so",
+                                     subject.scene.triangles.size(), refused, rays.size());
+    });
+}
+
+void run_copies(CaseRun& run) {
+    const Triangle t{{Vec3(0, 0, 0), Vec3(1, 0.25f, 0.5f), Vec3(0.5f, 1, 1)}};
+    for (const std::size_t n : {1000u, 10'000u, 100'000u, 1'000'000u}) {
+        const Subject copies = run.subject(std::vector<Triangle>(n, t));
+        run.record("tree", 1, copies.tree.references.size() <= n ? 0 : 1,
+                   fmt::format("{} references, {:.2g} s", copies.tree.references.size(), copies.built.seconds));
+        check_or_refused(run, copies, rays_across(run.random(), std::max<std::size_t>(5'000'000 / n, 20)));
+    }
+}
+
+std::string tree_text(const Subject& subject) {
+    return fmt::format("{:.3g} references per triangle, {} nodes, {:.2g} s{}",
+                       double(subject.tree.references.size()) / double(subject.scene.triangles.size()),
+                       subject.tree.nodes.size(), subject.built.seconds,
+                       subject.built.reference_cap_hit ? ", stopped by the reference cap" : "");
+}
+
+/// At most `cap` references per triangle, from the usual constants, from ones that try harder, and from a builder that cuts blindly.
+void check_growth(CaseRun& run, const std::vector<Triangle>& triangles, float cap, std::size_t rays) {
+    BuildConfig patient, blind;
+    patient.bad_refines = 3;
+    blind.builder = "spatial-median";
+    for (BuildConfig config : {BuildConfig{}, patient, blind}) {
+        config.reference_cap = cap;
+        const Subject subject = run.subject(triangles, config);
+        const bool within = double(subject.tree.references.size()) <= double(cap) * double(triangles.size());
+        const std::vector<int> depths = node_depths(subject.tree);
+        const bool shallow = *std::ranges::max_element(depths) <= depth_limit(config, triangles.size());
+        run.record("tree", 1, within && shallow ? 0 : 1, tree_text(subject));
+        run.check(subject, rays_across(run.random(), rays));
+    }
+}
+
+/// To the common vertex, the rim, edges and insides.
+std::vector<Ray> rays_at_fan(Random& random, const std::vector<Triangle>& fan, std::size_t count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 origin = random_point(random, -2, 2);
+        const auto& [apex, a, b] = random_triangle(random, fan).corner;
+        const Vec3 targets[] = {apex, a, glm::mix(apex, a, float(random.unit())), (apex + a + b) / 3.0f};
+        rays.push_back(ray_to(origin, targets[i % 4]));
+    }
+    return rays;
+}
+
+void run_fan(CaseRun& run) {
+    for (const int n : {10'000, 100'000}) {
+        const Subject fan = run.subject(vertex_fan(n));
+        const std::vector<int> depths = node_depths(fan.tree);
+        const bool shallow = *std::ranges::max_element(depths) <= depth_limit({}, std::size_t(n));
+        run.record("tree", 1, shallow ? 0 : 1, tree_text(fan));
+        const std::vector<Ray> rays =
+            rays_at_fan(run.random(), fan.scene.triangles, run.rays(50'000'000) / std::size_t(n));
+        if (n < gl_step_budget) run.check(fan, rays);
+        check_or_refused(run, fan, rays);
+    }
+}
+
+}  // namespace
+
+StabilityCase case_T04() {
+    return {"T04",
+            "The same triangle again and again",
+            "1e3, 1e4, 1e5 and 1e6 copies of one triangle (Embree's overlapping_primitives test); 5,000,000 / n rays,"
+            " at least 20",
+            "brute force",
+            "0 mismatches, one reference per triangle; a shader whose step budget (60,000) is below the leaf says so "
+            "for each ray",
+            run_copies};
+}
+
+StabilityCase case_T05() {
+    return {"T05",
+            "Triangles across the whole scene",
+            "16,000 triangles from corner to corner of the unit cube, moved by up to 1 %; built with the usual "
+            "constants and with 3 bad refines, and by spatial median; reference cap 8",
+            "brute force",
+            "at most 8 references per triangle; 0 mismatches",
+            [](CaseRun& run) { check_growth(run, cube_spanning(16'000, 0.01f, run.random()), 8, 100); }};
+}
+
+StabilityCase case_T06() {
+    return {"T06",
+            "Boxes across boxes",
+            "4000 boxes between random points of the unit cube (48,000 triangles); built as T05, "
+            "reference cap 64",
+            "brute force",
+            "at most 64 references per triangle, reaching the cap is told; 0 mismatches",
+            [](CaseRun& run) { check_growth(run, random_boxes(4000, run.random()), 64, 300); }};
+}
+
+StabilityCase case_T28() {
+    return {"T28",
+            "All triangles at one vertex",
+            "Fans of 10,000 and 100,000 triangles around (0, 0, 1); 50,000,000 / n rays (a tenth without --long) to "
+            "the vertex, the rim, edges and insides",
+            "brute force",
+            "0 mismatches, depth within its limit; a shader that cannot test all triangles at the vertex says so for "
+            "each ray",
+            run_fan};
+}
+
+}  // namespace kd

@@ -1,0 +1,70 @@
+#include "renderer/measure/stability/path_rays.h"
+
+#include "renderer/cpu/scene_view.h"
+#include "renderer/cpu/tile_job.h"
+#include "renderer/trace/observer.h"
+
+namespace kd {
+
+namespace {
+
+#include "renderer/cpu/kernel.h"
+
+using PlainKernel = Kernel<NullObserver, Rules::robust>;
+
+/// Calls back with a kernel that may trace with the naive traversal alone.
+template <class Use>
+auto with_kernel(const FlatScene& scene, const Use& use) {
+    const KdTree no_tree;
+    SceneView view;
+    view.scene = &scene;
+    view.tree = &no_tree;
+    view.needs.normals = scene.has_normals;
+    TraceConfig naive;
+    naive.traversal = Traversal::naive;
+    NullObserver observer;
+    PlainKernel kernel(view, naive, observer);
+    return use(kernel);
+}
+
+}  // namespace
+
+LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, Vec3 direction, float t_max) {
+    return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
+        const auto surface = kernel.surface_at(arriving, hit);
+        return {kernel.leave_surface(surface, direction, t_max), surface.position, surface.geometric};
+    });
+}
+
+LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit) {
+    return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
+        const auto surface = kernel.surface_at(arriving, hit);
+        const auto reflected = kernel.trace_reflection({arriving, hit, Vec3(1)});
+        return {reflected.ray, surface.position, surface.geometric};
+    });
+}
+
+LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light) {
+    return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
+        const auto surface = kernel.surface_at(arriving, hit);
+        const auto sample = kernel.sample_light(light, surface.position);
+        const float end = sample.distance * (1.0f - 8.0f * KD_T_PADDING);  // as light_surface() has it
+        return {kernel.leave_surface(surface, sample.direction, end), surface.position, surface.geometric};
+    });
+}
+
+Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height) {
+    const FlatScene none;
+    return with_kernel(none,
+                       [&](PlainKernel& kernel) { return kernel.camera_ray(camera, int2(x, y), int2(width, height)); });
+}
+
+Hit plain_brute_force(const FlatScene& scene, const Ray& ray) {
+    return with_kernel(scene, [&](PlainKernel& kernel) {
+        Hit hit = kernel.no_hit(ray);
+        kernel.traverse(ray, false, hit);
+        return hit;
+    });
+}
+
+}  // namespace kd

@@ -1,0 +1,30 @@
+// Rays that leave surfaces, made by the shared text itself, compiled for the plain processor.
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+namespace kd {
+
+/// Where a hit lies, as shaders/shared/surface.glsl sees it, and the ray that leaves it.
+struct LeavingRay {
+    Ray ray;
+    Vec3 position, normal;  // of the hit; the normal is geometric, on the side that `arriving` came from
+};
+
+/// leave_surface() from the hit of `arriving` towards `direction`.
+[[nodiscard]] LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, Vec3 direction,
+                                   float t_max = KD_T_LIMIT);
+
+/// The ray that trace_reflection() would trace after this hit.
+[[nodiscard]] LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit);
+
+/// The shadow ray towards a point light.
+[[nodiscard]] LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light);
+
+/// The direction of a pixel's ray.
+[[nodiscard]] Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height);
+
+/// Nearest hits by all triangles, compiled without any instruction set extension.
+[[nodiscard]] Hit plain_brute_force(const FlatScene& scene, const Ray& ray);
+
+}  // namespace kd
