@@ -25,7 +25,7 @@
 #define KD_FN [[gnu::always_inline]] inline
 #endif
 #define KD_CONST(T) static constexpr T
-#define IS_NAN(x) false  // in C++ a comparison with NaN fails by itself
+#define IS_NAN(x) false          // in C++ a comparison with NaN fails by itself
 #define KD_CORRECTED_ROUNDING 0  // C++ rounds quotients and roots to nearest
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)
 

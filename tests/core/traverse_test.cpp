@@ -11,6 +11,7 @@
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
+#include "renderer/scene/units.h"
 #include "renderer/trace/counters.h"
 #include "tests/support/scenes.h"
 
@@ -106,7 +107,8 @@ TEST(Traverse, NeverMissesAClosedSphereFarFromTheOrigin) {
     test::Random random(17);
     std::vector<Ray> rays;
     for (int i = 0; i < 20000; ++i)
-        rays.push_back({centre + random.point(-1, 1), random.point(-1, 1), 0.0f, KD_T_LIMIT, -1});
+        rays.push_back(
+            to_internal(scene, Ray{centre + random.point(-1, 1), random.point(-1, 1), 0.0f, KD_T_LIMIT, -1}));
     EXPECT_EQ(first_mismatch(scene, tree, rays), "");
     const Traced found = trace(scene, tree, Traversal::stack, rays);
     EXPECT_EQ(std::ranges::count(found.hits, -1, &Hit::triangle), 0);

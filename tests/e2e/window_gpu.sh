@@ -17,20 +17,20 @@ cmp -s cpu.txt gpu.txt || fail "counters differ: $(diff cpu.txt gpu.txt)"
 see_picture gpu.png
 
 pixels=$(($(value frame.width) * $(value frame.height)))
-[[ $(value shaded_pixels.0) -eq $pixels ]] || fail "RTPrim shaded $(value shaded_pixels.0) of $pixels pixels"
-hits=$(value shaded_pixels.1)
-((hits > 0 && hits < pixels && $(value shaded_pixels.2) < hits)) || fail "early z culls nothing: $hits"
+[[ $(value shaded_pixels.RTPrim) -eq $pixels ]] || fail "RTPrim shaded $(value shaded_pixels.RTPrim) of $pixels pixels"
+hits=$(value shaded_pixels.ShadePrim)
+((hits > 0 && hits < pixels && $(value shaded_pixels.RTRefl) < hits)) || fail "early z culls nothing: $hits"
 click_on "TRACING/passes and rules"
 choose "TRACING/early z" "as published"
-wait_for '^early_z=as-published$'
-for pass in 1 2 3; do
+wait_for '^settings.early_z=as-published$'
+for pass in ShadePrim RTRefl ShadeRefl; do
     [[ $(value shaded_pixels.$pass) -eq $pixels ]] || fail "as published, pass $pass shades $(value shaded_pixels.$pass)"
 done
 totals | cmp -s cpu.txt - || fail "counters depend on early z"
 see_picture published.png
 holds "$(difference gpu.png published.png) < 0.001" || fail "the picture depends on early z"
 choose "TRACING/early z" working
-wait_for "^shaded_pixels.1=$hits$"
+wait_for "^shaded_pixels.ShadePrim=$hits$"
 
 hover 20 20
 press v
