@@ -1,28 +1,19 @@
 // Watertight ray-triangle test: Woop, Benthin, Wald, JCGT 2(1), 2013. Two triangles that share an edge evaluate the
 // same products for it, so no ray slips between them. Contraction to fused multiply-add would break that.
 
-/// The rounded edge function p*q - r*s, given the sign that it has in exact arithmetic: rounding keeps the order of two
-/// products unless it makes them equal, and then what it took away decides. A triangle seen edge-on would otherwise be
-/// "hit" at a corner far from the ray.
-KD_FN real with_exact_sign(real edge, real p, real q, real r, real s)
+/// The edge function p*q - r*s, of which `rounded` is left, with what rounding its products took away (exact but for the
+/// last rounding). Its sign is then that in exact arithmetic: rounding keeps the order of two products unless it makes
+/// them equal.
+KD_FN real with_lost_digits(real rounded, real p, real q, real r, real s)
 {
-    if (edge != real(0)) return edge;
-    PRECISE real lost = product_error(p, q) - product_error(r, s);
-    return lost;
-}
-
-// A triangle whose determinant is below this fraction of its squared size, seen along the ray, is thin: rounding of its
-// edge functions moves the hit along it by up to 2^-23 over the fraction.
-KD_CONST(real) KD_THIN = real(1e-2);
-
-/// The edge function p*q - r*s with what rounding its products took away. Its sign stays: rounding keeps their order.
-KD_FN real with_lost_digits(real p, real q, real r, real s)
-{
-    PRECISE real rounded = p * q - r * s;
     PRECISE real lost = product_error(p, q) - product_error(r, s);
     PRECISE real restored = rounded + lost;
     return restored;
 }
+
+// A determinant below this fraction of the products whose differences it sums has lost more than 6 of its 24 bits: the
+// triangle is a sliver, or seen almost edge-on, and its hit would slide along it.
+KD_CONST(real) KD_THIN = real(1e-2);
 
 /// Six branches on the signs would be unpredictable ones; this is one on the least and one on the greatest.
 KD_FN bool signs_differ(real a, real b, real c)
@@ -50,23 +41,23 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real cx = c.x - s.shear.x * c.z;
     PRECISE real cy = c.y - s.shear.y * c.z;
 
-    PRECISE real edge_a = cx * by - cy * bx;
-    PRECISE real edge_b = ax * cy - ay * cx;
-    PRECISE real edge_c = bx * ay - by * ax;
+    PRECISE real product_a = cx * by;
+    PRECISE real product_b = ax * cy;
+    PRECISE real product_c = bx * ay;
+    PRECISE real edge_a = product_a - cy * bx;
+    PRECISE real edge_b = product_b - ay * cx;
+    PRECISE real edge_c = product_c - by * ax;
     if (signs_differ(edge_a, edge_b, edge_c)) return;
-    if (KD_RARE(edge_a == real(0) || edge_b == real(0) || edge_c == real(0))) {
-        edge_a = with_exact_sign(edge_a, cx, by, cy, bx);
-        edge_b = with_exact_sign(edge_b, ax, cy, ay, cx);
-        edge_c = with_exact_sign(edge_c, bx, ay, by, ax);
-        if (signs_differ(edge_a, edge_b, edge_c)) return;
-    }
 
     PRECISE real determinant = edge_a + edge_b + edge_c;
-    real size = max(max_component(abs(real3(ax, bx, cx))), max_component(abs(real3(ay, by, cy))));
-    if (KD_RARE(abs(determinant) < KD_THIN * size * size)) {
-        edge_a = with_lost_digits(cx, by, cy, bx);
-        edge_b = with_lost_digits(ax, cy, ay, cx);
-        edge_c = with_lost_digits(bx, ay, by, ax);
+    real largest = max(abs(product_a), max(abs(product_b), abs(product_c)));
+    // An edge function of 0 may hide a miss: a triangle seen edge-on would be "hit" at a corner far from the ray.
+    bool on_edge = edge_a == real(0) || edge_b == real(0) || edge_c == real(0);
+    if (KD_RARE(on_edge || abs(determinant) < KD_THIN * largest)) {
+        edge_a = with_lost_digits(edge_a, cx, by, cy, bx);
+        edge_b = with_lost_digits(edge_b, ax, cy, ay, cx);
+        edge_c = with_lost_digits(edge_c, bx, ay, by, ax);
+        if (signs_differ(edge_a, edge_b, edge_c)) return;
         determinant = edge_a + edge_b + edge_c;
     }
     if (determinant == real(0)) return;
