@@ -45,8 +45,10 @@ void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time
     ImGui::EndGroup();
 }
 
-/// "CPU 1.49× faster": who, and how much, from CPU time over GPU time.
-std::string verdict(double ratio) {
+/// "CPU 1.49× faster": who, and how much, from CPU time over GPU time; nobody where the middle half of the rounds disagree.
+std::string verdict(const Spread& spread) {
+    if (spread.p25 < 1 && spread.p75 > 1) return "no difference seen";
+    const double ratio = spread.median;
     const double factor = ratio < 1 ? 1 / ratio : ratio;
     const std::string text = factor < 99.5 ? fmt::format("{:.2f}", factor) : number_text(std::round(factor));
     return text == "1.00" ? "equally fast" : fmt::format("{} {}× faster", ratio < 1 ? "CPU" : "GPU", text);
@@ -74,7 +76,7 @@ void draw_verdict(const EngineState& state) {
     ImGui::BeginGroup();
     widgets::note("the same frame");
     if (duel.decided()) {
-        large(verdict(duel.ratio.median), shade(duel, theme::text));
+        large(verdict(duel.ratio), shade(duel, theme::text));
         widgets::note(verdict_spread(duel.ratio));
     } else {
         large(none, shade(duel, theme::text));

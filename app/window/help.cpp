@@ -70,7 +70,6 @@ void draw_shade(ImVec2 size, Edit& edit) {
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 120));
-    ImGui::SetNextWindowFocus();
     ImGui::Begin("##shade", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::InvisibleButton("##close", size)) edit.window.help = false;
@@ -92,7 +91,6 @@ void draw_help(Edit& edit) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme::px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(36, 36, 41, 250));
-    ImGui::SetNextWindowFocus();
     ImGui::Begin("##help", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);

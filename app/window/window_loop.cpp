@@ -232,7 +232,10 @@ void WindowLoop::apply_keys() {
     const bool meant_elsewhere = list_open || ImGui::GetIO().WantTextInput;
     for (const KeyPress& press : keys_) {
         const bool flies = viewport_->flying() && press.key >= GLFW_KEY_A && press.key <= GLFW_KEY_Z;
-        if (!meant_elsewhere && !flies) apply_key(press.key, press.modifiers, engine_->state(), edit_);
+        // Behind the help nothing changes but the size of its own text.
+        const bool behind = edit_.window.help && !(press.modifiers & GLFW_MOD_CONTROL) && press.key != GLFW_KEY_F1 &&
+                            press.key != GLFW_KEY_SLASH && press.key != GLFW_KEY_ESCAPE;
+        if (!meant_elsewhere && !flies && !behind) apply_key(press.key, press.modifiers, engine_->state(), edit_);
         if (list_open && press.key == GLFW_KEY_ESCAPE) ImGui::SetWindowFocus(nullptr);  // closes lists
     }
     keys_.clear();

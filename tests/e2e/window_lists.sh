@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Lists: a scene and a map are chosen in them; while one is open, keys are not commands, and Esc closes it and no more.
+# Lists and help: a scene and a map are chosen in them; while one is open, keys are not commands, and Esc closes it and no more.
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:300
@@ -31,4 +31,18 @@ press Escape
 wait_for '^pinned=null$'
 press t
 wait_for '^settings.traversal=restart$'
+
+# The help takes clicks and keeps keys from what lies behind it; text of another size is drawn, not a blank window.
+press F1
+wait_for '^window.help=true$'
+press t
+[[ $(value settings.traversal) == restart ]] || fail "a key acted behind the help"
+click_on "help/+"
+wait_for '^window.text_scale=1\.[0-9]'
+click_on "help/close"
+wait_for '^window.help=false$'
+see_picture large.png
+holds "$(convert large.png -format '%[fx:standard_deviation]' info:) > 0.05" || fail "nothing is drawn after the text size changed"
+press ctrl+0
+wait_for '^window.text_scale=1$'
 echo "passed"
