@@ -175,6 +175,15 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names) {
     for (const std::string& name : names) app.get_option(name)->group("");
 }
 
+WantedMachines wanted_machines(const CommonOptions& options) {
+    WantedMachines machines{!options.tracer || *options.tracer == TracerKind::cpu, {}};
+    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
+        machines.contexts = {ContextKind::osmesa, ContextKind::egl};
+        if (options.context) machines.contexts = {*options.context};
+    }
+    return machines;
+}
+
 void require_context(const CommonOptions& options, bool uses_all) {
     const bool by_tracer = options.tracer == TracerKind::gl_fragment;
     const bool by_context = uses_all && !options.tracer && options.context;

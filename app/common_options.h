@@ -57,6 +57,13 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
 /// The traversal asked for; all of them otherwise, the loop over all triangles among them only where `naive`.
 [[nodiscard]] std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive);
 
+/// What a command that checks every tracer is left with: the CPU, OSMesa and EGL unless one is named.
+struct WantedMachines {
+    bool cpu;
+    std::vector<ContextKind> contexts;
+};
+[[nodiscard]] WantedMachines wanted_machines(const CommonOptions& options);
+
 /// Loads the scene of `session` and gives it the camera asked for. The session gets a camera where one was asked for.
 /// InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"
 #include "renderer/trace/frame.h"

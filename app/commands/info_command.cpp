@@ -13,6 +13,7 @@
 #include "app/json_values.h"
 #include "app/machine_info.h"
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/gl/context.h"
 #include "renderer/scene/procedural.h"
 

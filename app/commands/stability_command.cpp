@@ -37,11 +37,9 @@ StabilityConfig config_for(const StabilityOptions& options) {
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
     config.threads = options.session.threads;
     config.seed = options.session.seed;
-    config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
-    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
-        config.contexts = {ContextKind::osmesa, ContextKind::egl};
-        if (options.context) config.contexts = {*options.context};
-    }
+    const WantedMachines machines = wanted_machines(options);
+    config.cpu = machines.cpu;
+    config.contexts = machines.contexts;
     return config;
 }
 

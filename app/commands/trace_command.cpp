@@ -10,11 +10,10 @@
 #include "app/common_options.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
-#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/geometry/input_error.h"
-#include "renderer/gl/gl_tracer.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
+#include "renderer/measure/ray_machine.h"
 #include "renderer/scene/units.h"
 #include "renderer/trace/counters.h"
 
@@ -24,14 +23,6 @@ namespace {
 
 struct TraceOptions : CommonOptions {
     std::string rays, output;
-};
-
-using TraceRays = std::function<void(const TraceConfig&, std::span<const Ray>, std::span<Hit>, std::span<RayCounters>)>;
-
-/// Something that traces rays, by its name on the command line.
-struct RayTracer {
-    std::string name;
-    TraceRays trace;
 };
 
 std::string header() {
@@ -59,75 +50,62 @@ Hit as_asked(const FlatScene& scene, const Ray& ray, const Hit& hit) {
     return shown;
 }
 
-/// The tracers asked for; one that is not there is told in a line unless it was named.
-class RayTracers {
-  public:
-    RayTracers(const TraceOptions& options, const FlatScene& scene, const KdTree& tree, CommandContext& context)
-        : cpu_(scene, tree) {
-        const bool all = !options.tracer;
-        if (all || *options.tracer == TracerKind::cpu)
-            list_.push_back({"cpu", [this, threads = options.session.threads](const TraceConfig& config, auto rays,
-                                                                              auto hits, auto counters) {
-                                 cpu_.trace_rays(config, rays, false, hits, counters, threads);
-                             }});
-        if (!all && *options.tracer != TracerKind::gl_fragment) return;
-        try {
-            gl_context_ = Context::create(options.context.value_or(ContextKind::automatic));
-            gl_ = std::make_unique<GlTracer>(*gl_context_);
-            gl_->upload(scene, tree);
-            list_.push_back({"gl-fragment", [this](const TraceConfig& config, auto rays, auto hits, auto counters) {
-                                 gl_->trace_rays(config, rays, false, hits, counters);
-                             }});
-        } catch (const ContextError& error) {
-            if (!all || options.context) throw;
-            context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
-        } catch (const InputError& error) {
-            if (!all) throw;
-            context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
-        }
+/// The tracers asked for, with scene and tree; one that is not there is told in a line unless it was named.
+std::vector<std::unique_ptr<RayMachine>> wanted_tracers(const TraceOptions& options, const FlatScene& scene,
+                                                        const KdTree& tree, CommandContext& context) {
+    std::vector<std::unique_ptr<RayMachine>> tracers;
+    const bool all = !options.tracer;
+    if (all || *options.tracer == TracerKind::cpu) tracers.push_back(cpu_machine(options.session.threads));
+    if (!tracers.empty()) tracers.back()->load(scene, tree);
+    if (!all && *options.tracer != TracerKind::gl_fragment) return tracers;
+    try {
+        std::unique_ptr<RayMachine> gl = gl_machine(options.context.value_or(ContextKind::automatic));
+        gl->load(scene, tree);
+        tracers.push_back(std::move(gl));
+    } catch (const ContextError& error) {
+        if (!all || options.context) throw;
+        context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
+    } catch (const InputError& error) {
+        if (!all) throw;
+        context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
     }
-
-    [[nodiscard]] const std::vector<RayTracer>& list() const { return list_; }
-
-  private:
-    CpuTracer cpu_;
-    std::unique_ptr<Context> gl_context_;
-    std::unique_ptr<GlTracer> gl_;
-    std::vector<RayTracer> list_;
-};
+    return tracers;
+}
 
 /// The rays by one traversal on one tracer, in steps between which a person may interrupt.
-void trace_in_steps(const RayTracer& tracer, const TraceConfig& config, std::span<const Ray> rays, std::span<Hit> hits,
+void trace_in_steps(RayMachine& tracer, const TraceConfig& config, std::span<const Ray> rays, std::span<Hit> hits,
                     std::span<RayCounters> counters, ProgressLine& progress, const CommandContext& context) {
     constexpr std::size_t rays_per_step = 16384;
-    const std::string what = fmt::format("{} on {}", info(config.traversal).name, tracer.name);
+    const std::string what = fmt::format("{} on {}", info(config.traversal).name, tracer.tracer());
     for (std::size_t first = 0; first < rays.size(); first += rays_per_step) {
         check_stop(context);
         const std::size_t n = std::min(rays_per_step, rays.size() - first);
         progress.show(float(first) / float(rays.size()), what);
-        tracer.trace(config, rays.subspan(first, n), hits.subspan(first, n), counters.subspan(first, n));
+        (void)tracer.trace(config, rays.subspan(first, n), false, hits.subspan(first, n), counters.subspan(first, n),
+                           context.stop);
     }
 }
 
 /// The table of all tracers and traversals. What a tracer refuses is left out and told, unless it was asked for by name.
-std::string trace_all(const TraceOptions& options, const RayTracers& tracers, TraceConfig config,
-                      const FlatScene& scene, const std::vector<Ray>& asked, CommandContext& context) {
+std::string trace_all(const TraceOptions& options, const std::vector<std::unique_ptr<RayMachine>>& tracers,
+                      TraceConfig config, const FlatScene& scene, const std::vector<Ray>& asked,
+                      CommandContext& context) {
     std::string table = header();
     std::vector<Ray> rays;
     for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
     ProgressLine progress(context);
     std::vector<Hit> hits(rays.size());
     std::vector<RayCounters> counters(rays.size());
-    for (const RayTracer& tracer : tracers.list())
+    for (const auto& tracer : tracers)
         for (const Traversal traversal : wanted_traversals(options, true)) {
             config.traversal = traversal;
             try {
-                trace_in_steps(tracer, config, rays, hits, counters, progress, context);
+                trace_in_steps(*tracer, config, rays, hits, counters, progress, context);
                 for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
-                add_rows(table, info(traversal).name, tracer.name, hits, counters);
+                add_rows(table, info(traversal).name, tracer->tracer(), hits, counters);
             } catch (const InputError& error) {
                 if (options.traversal) throw;
-                context.err << fmt::format("kdscope: left out {} on {}: {}\n", info(traversal).name, tracer.name,
+                context.err << fmt::format("kdscope: left out {} on {}: {}\n", info(traversal).name, tracer->tracer(),
                                            error.what());
             }
         }
@@ -145,7 +123,7 @@ int run(const TraceOptions& options, CommandContext& context) {
     const FlatScene scene = open_scene(options, session);
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
     check_stop(context);
-    const RayTracers tracers(options, scene, tree, context);
+    const auto tracers = wanted_tracers(options, scene, tree, context);
     const std::string table = trace_all(options, tracers, session.trace, scene, rays, context);
     check_stop(context);
     if (to_file) {

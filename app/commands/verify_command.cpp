@@ -32,11 +32,9 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     config.threads = session.threads;
     if (options.builder) config.builders = {*options.builder};
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
-    config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
-    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
-        config.contexts = {ContextKind::osmesa, ContextKind::egl};
-        if (options.context) config.contexts = {*options.context};
-    }
+    const WantedMachines machines = wanted_machines(options);
+    config.cpu = machines.cpu;
+    config.contexts = machines.contexts;
     return config;
 }
 

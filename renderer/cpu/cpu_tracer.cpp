@@ -4,9 +4,9 @@
 #include <hwy/highway.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "renderer/cpu/scene_view.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
 
 namespace kd {
@@ -19,21 +19,14 @@ constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
 
 template <class Work>
 void parallel(std::size_t count, std::size_t grain, int threads, const Work& work) {
-    const auto all = [&] {
+    on_threads(threads, [&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, grain),
             [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
-    };
-    // An arena of one's own costs some kilobytes that do not come back; one per frame would grow for ever.
-    if (threads <= 0 || threads == default_threads())
-        all();
-    else
-        tbb::task_arena(threads).execute(all);
+    });
 }
 
 }  // namespace
-
-int default_threads() { return tbb::info::default_concurrency(); }
 
 std::string cpu_target_name() {
     // The best of the instruction sets that tile_kernel.cpp was compiled for and this processor has.

@@ -49,7 +49,4 @@ class CpuTracer {
 /// Instruction set that the hot code runs with, chosen when first used ("AVX3", "AVX2", "SSE4", ...).
 [[nodiscard]] std::string cpu_target_name();
 
-/// Threads that "0 = all" means.
-[[nodiscard]] int default_threads();
-
 }  // namespace kd

@@ -9,15 +9,11 @@
 
 namespace kd {
 
-namespace {
-
 Vec3 random_point(Random& random, float low, float high) {
     const auto x = float(random.between(low, high));
     const auto y = float(random.between(low, high));
     return {x, y, float(random.between(low, high))};
 }
-
-}  // namespace
 
 FlatScene bare_scene(std::vector<Triangle> triangles) {
     FlatScene scene;

@@ -11,6 +11,9 @@ namespace kd {
 /// A flat scene of these triangles, all of them, in internal units (units.h): one grey material, one light, geometric normals, a fitted camera.
 [[nodiscard]] FlatScene bare_scene(std::vector<Triangle> triangles);
 
+/// A point with each coordinate in [low, high).
+[[nodiscard]] Vec3 random_point(Random& random, float low, float high);
+
 /// n triangles with corners within `size` of a random point of the unit cube.
 [[nodiscard]] std::vector<Triangle> random_soup(int n, float size, Random& random);
 

@@ -35,6 +35,12 @@ KD_FN LightSample sample_light(IN(Light) light, real3 position)
     return s;
 }
 
+/// From the surface towards the light; it ends short of it by its own rounding.
+KD_FN Ray shadow_ray(IN(Surface) s, IN(LightSample) light)
+{
+    return leave_surface(s, light.direction, light.distance * (real(1) - real(8) * KD_T_PADDING));
+}
+
 /// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
 /// `first_blocked` receives the first one's hit that found an occluder.
 KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
@@ -47,8 +53,7 @@ KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
         real cosine = dot3(s.shading, light.direction);
         bool facing = cosine > real(0) && dot3(s.geometric, light.direction) > real(0) && max_component(light.colour) > real(0);
         if (facing && shadows_enabled()) {
-            // A shadow ray ends short of the light by its own rounding.
-            Ray shadow = leave_surface(s, light.direction, light.distance * (real(1) - real(8) * KD_T_PADDING));
+            Ray shadow = shadow_ray(s, light);
             Hit blocker = no_hit(shadow);
             traverse(shadow, true, blocker);
             if (blocker.triangle >= 0) {

@@ -14,20 +14,7 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     int budget = min(step_budget(), KD_PUBLISHED_BUDGET);
 
     while (true) {
-        KdNode n = fetch_node(node);
-        bool again = last_leaf >= 0;
-        while (n.flag != KD_LEAF && budget > 0) {
-            --budget;
-            on_interior(node, again);
-            bool below_first;
-            real t_plane;
-            int visit = visit_as_published(s, inverse, n.flag, n.split, t_begin, t_end, below_first, t_plane);
-            if (visit == KD_VISIT_BOTH) t_end = t_plane;
-            bool below = below_first != (visit == KD_VISIT_FAR);
-            again = again && on_way_to(last_leaf, n, below);
-            node = child_of(node, n, below);
-            n = fetch_node(node);
-        }
+        KdNode n = descend_as_published(s, inverse, t_begin, t_end, last_leaf, node, budget);
 
         budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
         if (KD_RARE(budget <= 0)) {

@@ -14,20 +14,7 @@ KD_FN void published_restart(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     while (true) {
         real t_end = root_end;
         int node = 0;
-        bool again = last_leaf >= 0; // nodes on the way to the last leaf have been seen
-        KdNode n = fetch_node(node);
-        while (n.flag != KD_LEAF && budget > 0) {
-            --budget;
-            on_interior(node, again);
-            bool below_first;
-            real t_plane;
-            int visit = visit_as_published(s, inverse, n.flag, n.split, t_begin, t_end, below_first, t_plane);
-            if (visit == KD_VISIT_BOTH) t_end = t_plane;
-            bool below = below_first != (visit == KD_VISIT_FAR);
-            again = again && on_way_to(last_leaf, n, below);
-            node = child_of(node, n, below);
-            n = fetch_node(node);
-        }
+        KdNode n = descend_as_published(s, inverse, t_begin, t_end, last_leaf, node, budget);
 
         budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
         if (KD_RARE(budget <= 0)) {

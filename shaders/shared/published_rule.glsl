@@ -96,3 +96,25 @@ KD_FN bool on_way_to(int leaf, IN(KdNode) n, bool below)
 {
     return (leaf < n.link) == below;
 }
+
+/// Goes down from `node` to the leaf where the ray is at `t_begin`, and cuts `t_end` to the leaf's cell. Nodes on the way to
+/// `last_leaf` (-1: none yet) have been seen. An interior node where the budget ran out.
+KD_FN KdNode descend_as_published(IN(RaySetup) s, IN(real3) inverse, real t_begin, INOUT(real) t_end, int last_leaf,
+                                  INOUT(int) node, INOUT(int) budget)
+{
+    bool again = last_leaf >= 0;
+    KdNode n = fetch_node(node);
+    while (n.flag != KD_LEAF && budget > 0) {
+        --budget;
+        on_interior(node, again);
+        bool below_first;
+        real t_plane;
+        int visit = visit_as_published(s, inverse, n.flag, n.split, t_begin, t_end, below_first, t_plane);
+        if (visit == KD_VISIT_BOTH) t_end = t_plane;
+        bool below = below_first != (visit == KD_VISIT_FAR);
+        again = again && on_way_to(last_leaf, n, below);
+        node = child_of(node, n, below);
+        n = fetch_node(node);
+    }
+    return n;
+}

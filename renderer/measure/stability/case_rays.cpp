@@ -2,12 +2,6 @@
 
 namespace kd {
 
-Vec3 random_point(Random& random, float low, float high) {
-    const auto x = float(random.between(low, high));
-    const auto y = float(random.between(low, high));
-    return {x, y, float(random.between(low, high))};
-}
-
 Vec3 random_direction(Random& random) {
     while (true) {
         const Vec3 d = random_point(random, -1, 1);

@@ -4,15 +4,13 @@
 #include <vector>
 
 #include "renderer/geometry/triangle.h"
-#include "renderer/scene/random.h"
+#include "renderer/scene/stress_shapes.h"
 
 namespace kd {
 
 [[nodiscard]] inline Ray ray_along(Vec3 origin, Vec3 direction) { return {origin, direction, 0.0f, KD_T_LIMIT, -1}; }
 [[nodiscard]] inline Ray ray_to(Vec3 origin, Vec3 target) { return ray_along(origin, target - origin); }
 
-/// A point with each coordinate in [low, high).
-[[nodiscard]] Vec3 random_point(Random& random, float low, float high);
 /// Never short: at least 0.1 long, components in [-1, 1).
 [[nodiscard]] Vec3 random_direction(Random& random);
 /// 0 <= i < n.

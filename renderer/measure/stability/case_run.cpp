@@ -99,6 +99,17 @@ void CaseRun::each(const Subject& subject,
     }
 }
 
+void CaseRun::each_answer(const Subject& subject, const std::vector<Ray>& rays,
+                          const std::function<void(const std::vector<Hit>&, StabilityRow&)>& use) {
+    each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& r) {
+        std::vector<Hit> hits(rays.size());
+        (void)machine.trace(trace, rays, false, hits, {}, stop_);
+        check_stop();
+        r.n += std::int64_t(rays.size());
+        use(hits, r);
+    });
+}
+
 void CaseRun::check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation) {
     ReferenceRays reference;
     reference.rays = rays;

@@ -57,6 +57,10 @@ class CaseRun {
     /// not cover.
     void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use);
 
+    /// The same with the nearest hits of these rays, which are counted in the row.
+    void each_answer(const Subject& subject, const std::vector<Ray>& rays,
+                     const std::function<void(const std::vector<Hit>&, StabilityRow&)>& use);
+
     /// A row of its own, for what no traversal takes part in: `mismatches` of `n`, and why.
     void record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason = {});
 

@@ -48,11 +48,7 @@ void run_one_triangle(CaseRun& run) {
         if (p.x > 0 && p.y > 0 && p.x + p.y < 1) rays.push_back(ray_to({0, 0, -1}, p));
     }
     run.check(one, rays);
-    run.each(one, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(one, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hit& hit = hits[i];
             const Vec3 target = rays[i].origin + rays[i].direction;

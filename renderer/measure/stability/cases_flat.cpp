@@ -27,11 +27,7 @@ void check_straight(CaseRun& run, const Subject& subject, std::size_t count, flo
         o.z = height + side * 0.25f * float(1 + random_below(run.random(), 4));
         rays.push_back(ray_along(o, {0, 0, -side}));
     }
-    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const float lost = std::abs(hits[i].t - std::abs(rays[i].origin.z - height));
             if (hits[i].triangle < 0 || !(lost <= tolerance))
@@ -122,11 +118,7 @@ void run_coincident(CaseRun& run) {
     }
     const std::vector<Hit> expected = brute_force(sheets.scene, rays, run.threads(), run.stop());
     run.check_stop();
-    run.each(sheets, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(sheets, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (!bit_equal(hits[i], expected[i]) || hits[i].triangle >= int(first))
                 CaseRun::fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(rays[i]),

@@ -33,11 +33,7 @@ bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std
 void compare_renamed(CaseRun& run, const Subject& renamed, const std::vector<Ray>& rays,
                      const std::vector<Hit>& original, const Order& old_number, double most_ulps,
                      const std::string& what) {
-    run.each(renamed, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(renamed, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hit& hit = hits[i];
             const bool hits_alike = (hit.triangle >= 0) == (original[i].triangle >= 0);

@@ -72,11 +72,7 @@ double first_face(const Ray& ray) {
 }
 
 void check_first_faces(CaseRun& run, const Subject& city, const std::vector<Ray>& rays) {
-    run.each(city, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(city, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const double exact = first_face(rays[i]);
             const bool hit = hits[i].triangle >= 0;

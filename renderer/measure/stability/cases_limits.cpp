@@ -57,11 +57,7 @@ void run_echo(CaseRun& run, std::size_t count) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i)
         rays.push_back({Vec3(5, 0, 0), Vec3(1, 0, 0), 0, float(i % float_index_limit + 1), int(i)});
-    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (hits[i].triangle != -1 || hits[i].t != rays[i].t_max)
                 CaseRun::fail(row, fmt::format("ray {} of {} got the answer of another: {}", i, rays.size(),

@@ -18,11 +18,7 @@ const Vec3 far_away(148376, 1234, -223423);
 /// Rays in scene units, traced by every traversal and machine; each must hit something. Some also go to brute force.
 void check_all_hit(CaseRun& run, const Subject& subject, std::vector<Ray> rays, std::size_t by_brute_force) {
     for (Ray& ray : rays) ray = to_internal(subject.scene, ray);
-    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
+    run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (hits[i].triangle < 0) CaseRun::fail(row, fmt::format("slipped out: ray {}", exact_text(rays[i])));
     });

@@ -48,8 +48,7 @@ LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hi
     return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
         const auto surface = kernel.surface_at(arriving, hit);
         const auto sample = kernel.sample_light(light, surface.position);
-        const float end = sample.distance * (1.0f - 8.0f * KD_T_PADDING);  // as light_surface() has it
-        return {kernel.leave_surface(surface, sample.direction, end), surface.position, surface.geometric};
+        return {kernel.shadow_ray(surface, sample), surface.position, surface.geometric};
     });
 }
 
