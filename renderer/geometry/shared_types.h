@@ -3,6 +3,7 @@
 // kd::Ray, kd::Hit, ... are single precision. kd::f64 holds the same types in double, for the oracle.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -43,7 +44,8 @@ using int3 = glm::ivec3;
     using real2 = glm::vec<2, T>;                                                                                      \
     using real3 = glm::vec<3, T>;                                                                                      \
     using real4 = glm::vec<4, T>;                                                                                      \
-    using glm::abs;                                                                                                    \
+    inline T abs(T x) { return std::fabs(x); } /* glm's compares and selects: six instructions for one */              \
+    inline real3 abs(const real3& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }                                        \
     using glm::floor;                                                                                                  \
     using glm::max;                                                                                                    \
     using glm::min;                                                                                                    \

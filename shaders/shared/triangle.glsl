@@ -15,10 +15,13 @@ KD_FN real with_lost_digits(real rounded, real p, real q, real r, real s)
 // triangle is a sliver, or seen almost edge-on, and its hit would slide along it.
 KD_CONST(real) KD_THIN = real(1e-2);
 
-/// Six branches on the signs would be unpredictable ones; this is one on the least and one on the greatest.
-KD_FN bool signs_differ(real a, real b, real c)
+/// How far the three edge functions are from a change of sign: the size of the smallest where all have one sign, below 0
+/// where they differ. Six branches on the signs would be unpredictable ones.
+KD_FN real inside_by(real a, real b, real c)
 {
-    return min(a, min(b, c)) < real(0) && max(a, max(b, c)) > real(0);
+    real least = min(a, min(b, c));
+    real greatest = max(a, max(b, c));
+    return max(least, -greatest);
 }
 
 /// Tests the triangle stored at `slot` of the leaf lists (its number is `triangle`) and keeps the nearer hit; at equal t
@@ -47,17 +50,18 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real edge_a = product_a - cy * bx;
     PRECISE real edge_b = product_b - ay * cx;
     PRECISE real edge_c = product_c - by * ax;
-    if (signs_differ(edge_a, edge_b, edge_c)) return;
+    real inside = inside_by(edge_a, edge_b, edge_c);
+    if (inside < real(0)) return;
 
     PRECISE real determinant = edge_a + edge_b + edge_c;
     real largest = max(abs(product_a), max(abs(product_b), abs(product_c)));
+    PRECISE real kept = abs(determinant) - KD_THIN * largest;
     // An edge function of 0 may hide a miss: a triangle seen edge-on would be "hit" at a corner far from the ray.
-    bool on_edge = edge_a == real(0) || edge_b == real(0) || edge_c == real(0);
-    if (KD_RARE(on_edge || abs(determinant) < KD_THIN * largest)) {
+    if (KD_RARE(min(inside, kept) <= real(0))) {
         edge_a = with_lost_digits(edge_a, cx, by, cy, bx);
         edge_b = with_lost_digits(edge_b, ax, cy, ay, cx);
         edge_c = with_lost_digits(edge_c, bx, ay, by, ax);
-        if (signs_differ(edge_a, edge_b, edge_c)) return;
+        if (inside_by(edge_a, edge_b, edge_c) < real(0)) return;
         determinant = edge_a + edge_b + edge_c;
     }
     if (determinant == real(0)) return;
