@@ -81,7 +81,12 @@ void Engine::note_input() {
     stop_duel();
 }
 
-void Engine::allow_duel(bool allowed) {
+void Engine::allow_duel(bool allowed, int scale) {
+    if (scale != duel_scale_) {
+        duel_of_ = 0;  // what was measured is of frames of another size
+        stop_duel();
+    }
+    duel_scale_ = scale;
     options_.duel = allowed;
     if (!allowed) stop_duel();
 }

@@ -42,7 +42,9 @@ class Engine {
     void cancel_build();
     /// A person did something: no duel for a while.
     void note_input();
-    void allow_duel(bool allowed);
+    /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
+    /// choice.
+    void allow_duel(bool allowed, int scale = 0);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -89,6 +91,7 @@ class Engine {
     TraceRequest duel_failed_;                                    // its world and configuration cannot be timed
     std::uint64_t duel_of_ = 0;                                   // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
+    int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;
     bool duel_warm_ = false;  // the next round is the first that counts
 

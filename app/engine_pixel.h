@@ -18,6 +18,7 @@ struct PassReading {
     bool traced = false;
     Hit hit{-1, 0.0f, 0.0f, 0.0f};
     RayCounters counters{};
+    float distance = 0;  // hit.t in scene units
 };
 
 struct PixelReading {

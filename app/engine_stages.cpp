@@ -225,7 +225,9 @@ void Engine::start_duel() {
     if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
     duelling_ = true;
     state_.duel.running = true;
-    tracer_.submit([this, request = trace_request(), generation = trace_generation_](const std::stop_token& stop) {
+    TraceRequest timed = trace_request();
+    timed.duel_scale = duel_scale_;
+    tracer_.submit([this, request = timed, generation = trace_generation_](const std::stop_token& stop) {
         std::optional<DuelReply> reply;
         std::string error;
         double took = 0;
@@ -242,13 +244,15 @@ void Engine::start_duel() {
                 say(true, "timing: " + error);
                 duel_failed_ = request;
             }
-            if (reply && generation == trace_generation_) receive(*reply);
+            if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
         });
     });
 }
 
 void Engine::receive(const DuelReply& reply) {
     DuelState& duel = state_.duel;
+    // Rounds of another size are no rounds of this frame.
+    if (!duel.rounds.empty() && !duel_warm_ && duel.scale != reply.scale) duel_of_ = 0;
     if (duel_of_ != trace_generation_) {  // the first round of a frame warms up and is not counted
         duel_of_ = trace_generation_;
         duel_warm_ = true;
@@ -261,6 +265,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.width = reply.width;
     duel.height = reply.height;
     duel.scale = reply.scale;
+    duel.chosen = duel_scale_ > 0;
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;

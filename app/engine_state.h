@@ -16,6 +16,7 @@
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 #include "viz/figure.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -32,6 +33,7 @@ struct TracedFrame {
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
     std::uint64_t generation = 0;  // EngineState::generation that it answers
+    UnfinishedPixels unfinished;   // of the frame's own pixels
 };
 
 /// What the colours of a map mean.

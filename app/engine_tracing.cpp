@@ -12,9 +12,6 @@ namespace kd {
 
 namespace {
 
-/// A duel's frame is made smaller until the CPU is predicted to need no more than this.
-constexpr double longest_duel_frame_ms = 500;
-
 FrameTask task_of(const TraceRequest& request) {
     return {request.world, request.config, pinhole(request.camera, request.width, request.height), request.threads,
             request.early_z};
@@ -79,16 +76,25 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
         publish({request.world, frame, request.camera, request.config, request.tracer, scale, time, machine.clock(),
-                 needs, omitted, request.generation});
+                 needs, omitted, request.generation, count_unfinished(*frame)});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }
 
+int Tracing::scale_to_time(const TraceRequest& request) {
+    if (request.duel_scale > 0) return request.duel_scale;
+    const auto& scene = request.world->loaded;
+    if (duel_scene_ != scene || duel_width_ != request.width || duel_height_ != request.height) duel_scale_ = 0;
+    duel_scene_ = scene;
+    duel_width_ = request.width;
+    duel_height_ = request.height;
+    duel_scale_ =
+        duel_scale(duel_scale_, [&](int scale) { return plan_.predicted_ms(scale, request.width, request.height); });
+    return duel_scale_;
+}
+
 std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::stop_token& stop) {
-    int scale = 1;
-    while (scale < LevelPlan::coarsest &&
-           plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
-        scale *= 2;
+    const int scale = scale_to_time(request);
     DuelReply reply;
     reply.scale = scale;
     reply.width = scaled_size(request.width, scale);

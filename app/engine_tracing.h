@@ -25,6 +25,7 @@ struct TraceRequest {
     int threads = 0;
     EarlyZ early_z = EarlyZ::working;
     std::uint64_t generation = 0;
+    int duel_scale = 0;  // of the frames that a duel times; 0 = the program's choice
 };
 
 /// What a round of the duel needs to know and finds out.
@@ -55,6 +56,7 @@ class Tracing {
   private:
     FrameSource& source(TracerKind kind);
     void forget_speed_of_others(const TraceRequest& request);
+    int scale_to_time(const TraceRequest& request);
 
     OpenGl open_gl_;
     GlStatus status_;
@@ -65,6 +67,9 @@ class Tracing {
     TraceRequest planned_for_;
     TraceRequest counted_for_;  // whose rays `rays_` are
     std::int64_t rays_ = 0;
+    int duel_scale_ = 0;  // the program's choice, for this scene and size of the picture
+    std::shared_ptr<const LoadedScene> duel_scene_;
+    int duel_width_ = 0, duel_height_ = 0;
 };
 
 }  // namespace kd

@@ -1,5 +1,7 @@
 #include "app/frame_summary.h"
 
+#include "viz/unfinished.h"
+
 namespace kd {
 
 namespace {
@@ -23,10 +25,19 @@ Json counters_json(const Frame& frame, const std::optional<RayCounts>& rays) {
     return counters;
 }
 
+/// Pixels that have no answer, by reason.
+Json unfinished_json(const Frame& frame) {
+    const UnfinishedPixels unfinished = count_unfinished(frame);
+    Json json{{"pixels", unfinished.pixels}};
+    for (uint reason = KD_EXIT_HIT + 1; reason < unfinished.by_reason.size(); ++reason)
+        json[json_key(exit_reason_name(reason))] = unfinished.by_reason[reason];
+    return json;
+}
+
 }  // namespace
 
 Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
-    Json settings = json_of(s.session);
+    Json settings = json_of(in_scene_units(s.session, s.scene));
     settings["view"] = json_of(s.session.view);
     return {
         {"settings", settings},
@@ -39,6 +50,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"shaded_pixels", by_pass(s.time.shaded_pixels)},
         {"left_out", s.left_out},
         {"counters", counters_json(s.frame, rays)},
+        {"unfinished", unfinished_json(s.frame)},
     };
 }
 

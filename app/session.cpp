@@ -7,10 +7,12 @@
 
 #include "app/assets.h"
 #include "app/closest_name.h"
+#include "app/counted.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/gltf.h"
 #include "renderer/io/printable.h"
 #include "renderer/scene/procedural.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -45,6 +47,17 @@ fs::path scene_file(const std::string& name) {
 }
 
 }  // namespace
+
+std::string contents_text(const FlatScene& scene) {
+    return fmt::format("{}, {}, {}, {}", counted(scene.triangles.size(), "triangle"),
+                       counted(scene.materials.size(), "material"), counted(scene.textures.size(), "texture"),
+                       counted(scene.lights.size(), "light"));
+}
+
+Session in_scene_units(Session session, const FlatScene& scene) {
+    if (session.camera) session.camera = to_scene_units(scene, *session.camera);
+    return session;
+}
 
 FlatScene load_scene(const std::string& name, unsigned seed) {
     if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);

@@ -3,6 +3,7 @@
 #include "app/json_values.h"
 #include "app/window/exporting.h"
 #include "renderer/io/file.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -15,7 +16,7 @@ Json json_of(const std::optional<PixelReading>& reading) {
         const PassReading& ray = reading->passes[p];
         if (!ray.traced) continue;
         Json numbers{{"triangle", ray.hit.triangle},
-                     {"t", json_number(ray.hit.t)},
+                     {"t", json_number(ray.distance)},
                      {"exit", exit_reason_name(ray.counters.exit_reason)}};
         for (const CounterInfo& counter : counter_table())
             numbers[std::string(counter.name)] = ray.counters.*counter.field;
@@ -44,6 +45,7 @@ Json json_of(const WindowSettings& window) {
             {"fly_speed", json_number(window.fly_speed)},
             {"help", window.help},
             {"legend", window.legend},
+            {"folder", window.folder},
             {"legend_corner", int(window.legend_corner)},
             {"text_scale", json_number(window.text_scale)}};
 }
@@ -55,9 +57,12 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
-    json["duel"] = {
-        {"rounds", state.duel.rounds.size()}, {"cpu_ms", state.duel.cpu.median_ms}, {"gl_ms", state.duel.gl.median_ms}};
-    json["camera"] = kd::json_of(state.camera);
+    json["duel"] = {{"rounds", state.duel.rounds.size()},
+                    {"width", state.duel.width},
+                    {"height", state.duel.height},
+                    {"cpu_ms", state.duel.cpu.median_ms},
+                    {"gl_ms", state.duel.gl.median_ms}};
+    json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
     json["picture_area"] = json_of(picture);

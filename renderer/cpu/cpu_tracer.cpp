@@ -55,6 +55,7 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
                             Frame& frame, int threads, std::stop_token stop,
                             const std::function<void(float)>& progress) {
     prepare(config);
+    frame.exponent = view_->scene->exponent;
     std::atomic<std::size_t> done = 0;
     parallel(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,12 +28,13 @@ namespace kd {
 
 /// One row per pixel, row by row from the top: x, y, then for every pass that ran triangle, t, u, v, every counter and
 /// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the
-/// other passes where some pixel traced something. Floats are the shortest decimals that give the same float back, but
+/// other passes where some pixel traced something. t is in scene units. Floats are the shortest decimals that give the same float back, but
 /// for -0, which is 0.
-[[nodiscard]] std::string frame_csv(const Frame& frame);
+/// `progress` gets the fraction done.
+[[nodiscard]] std::string frame_csv(const Frame& frame, const std::function<void(float)>& progress = {});
 
-/// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t (the ray's
-/// t_max where nothing was hit). InputError naming path and reason.
+/// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t in scene
+/// units (KD_T_LIMIT where nothing was hit). InputError naming path and reason.
 void write_frame_exr(const std::filesystem::path& path, const Frame& frame);
 
 }  // namespace kd
