@@ -7,6 +7,8 @@
 #include <set>
 
 #include "app/commands/commands.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
@@ -57,7 +59,11 @@ Json json_of(const StabilityReport& report) {
                          {"seconds", row.seconds},
                          {"verdict", name_of(row.verdict)},
                          {"reason", row.reason}});
-    return {{"passed", report.passed()}, {"cases_run", report.cases_run}, {"cases", cases}, {"notes", report.notes}};
+    return {{"passed", report.passed()},
+            {"cases_run", report.cases_run},
+            {"preparing_seconds", report.preparing_seconds},
+            {"cases", cases},
+            {"notes", report.notes}};
 }
 
 void print(std::ostream& out, const StabilityReport& report) {
@@ -85,8 +91,13 @@ void print(std::ostream& out, const StabilityReport& report) {
             out << fmt::format("{} {} {} {} {}: {}\n", row.id, name_of(row.verdict), row.traversal, row.tracer,
                                row.context, row.reason);
     const auto failures = std::ranges::count(report.rows, Verdict::fail, &StabilityRow::verdict);
-    out << fmt::format("{} cases, {} rows, {} failed: {}\n", report.cases_run, report.rows.size(), failures,
-                       report.passed() ? "passed" : "failed");
+    double rows = 0;
+    for (const StabilityRow& row : report.rows) rows += row.seconds;
+    out << fmt::format("{:.2f} s in the rows above; {:.2f} s before them in building trees and in the oracles (brute "
+                       "force over all triangles)\n",
+                       rows, report.preparing_seconds);
+    out << fmt::format("{}, {}, {} failed: {}\n", counted(report.cases_run, "case"), counted(report.rows.size(), "row"),
+                       failures, report.passed() ? "passed" : "failed");
 }
 
 void print_list(std::ostream& out) {
@@ -95,11 +106,15 @@ void print_list(std::ostream& out) {
                            info.oracle, info.acceptance);
 }
 
-int run(const StabilityOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const StabilityOptions& options, CommandContext& context) {
     if (options.list) {
+        for (const char* option : {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules"})
+            refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
         print_list(context.out);
         return exit_ok;
     }
+    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
+    require_context(options, true);
     StabilityReport report;
     {
         ProgressLine progress(context);
@@ -122,7 +137,7 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_machine_options(app, *options);
     add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

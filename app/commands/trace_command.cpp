@@ -8,6 +8,8 @@
 
 #include "app/commands/commands.h"
 #include "app/common_options.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "renderer/geometry/input_error.h"
@@ -112,8 +114,9 @@ std::string trace_all(const TraceOptions& options, const std::vector<std::unique
     return table;
 }
 
-int run(const TraceOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const TraceOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
+    note_idle(app, shared_uses(options, session, true), context);
     const bool to_file = options.output != "-";
     if (to_file)
         check_outputs({{"--output", options.output}},
@@ -128,7 +131,8 @@ int run(const TraceOptions& options, CommandContext& context) {
     check_stop(context);
     if (to_file) {
         write_file(options.output, table);
-        context.out << fmt::format("wrote {} ({} rows)\n", options.output, std::ranges::count(table, '\n') - 1);
+        context.out << fmt::format("wrote {} ({})\n", options.output,
+                                   counted(std::ranges::count(table, '\n') - 1, "row"));
     } else
         context.out << table;
     return exit_ok;
@@ -147,7 +151,7 @@ CommandBody declare(CLI::App& app) {
     const ShownDefaults everything{.traversal = "all", .tracer = "all"};
     add_tracing_options(app, *options, everything);
     add_tree_options(app, *options, everything);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

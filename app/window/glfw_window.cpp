@@ -4,19 +4,17 @@
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "app/command.h"
+#include "app/environment.h"
 
 namespace kd {
 
 namespace {
 
 constexpr int least_width = 960, least_height = 600;
-constexpr float least_scale = 0.75f, largest_scale = 4;
+constexpr float least_scale = 0.75f, largest_scale = 4;  // of what a display may ask for
 
 /// The context of a window that nobody sees. Current from its making to its end, on one thread.
 class HiddenContext final : public Context {
@@ -41,10 +39,7 @@ std::string glfw_error() {
 }
 
 /// The display's scale, or what the environment says instead.
-float chosen_scale(float scale) {
-    if (const char* text = std::getenv("KDSCOPE_SCALE")) std::from_chars(text, text + std::strlen(text), scale);
-    return std::clamp(scale, least_scale, largest_scale);
-}
+float chosen_scale(float scale) { return environment_scale().value_or(std::clamp(scale, least_scale, largest_scale)); }
 
 WindowSize size_for_screen() {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();

@@ -171,6 +171,9 @@ TEST(Render, BadOutputsAreToldBeforeTheWork) {
     refused({"-o", folder.file("dir.png")}, {"--output", "is a directory"});
     refused({"-o", folder.file("a.png"), "--json", folder.folder()}, {"--json", "is a directory"});
     refused({"-o", folder.file(std::string(300, 'a') + ".png")}, {"--output", "too long"});
+    if (std::filesystem::exists("/dev/full"))
+        for (const char* option : {"--json", "--csv", "--exr"})
+            refused({"-o", folder.file("a.png"), option, "/dev/full"}, {option, "/dev/full", "No space left"});
     if (std::filesystem::exists("/proc/self"))  // root may write there by its permissions, and still cannot
         refused({"-o", "/proc/a.png"}, {"--output", "/proc/a.png", "another folder"});
     EXPECT_EQ(folder.names(), Words{"dir.png"});

@@ -26,6 +26,15 @@ if [[ -w /dev/full ]]; then
     "$KDSCOPE" trace cornell --rays /dev/null -o - >/dev/full 2>err.txt && fail "a full disk went unnoticed by trace"
 fi
 
+# Told before the work: these pictures would take minutes.
+large=(ball:2000000 --size 4096x4096)
+if [[ -w /dev/full ]]; then
+    timeout 20 "$KDSCOPE" bench "${large[@]}" --json >/dev/full 2>err.txt
+    [[ $? -eq 2 ]] || fail "a full disk was not told before the work: $(cat err.txt)"
+fi
+timeout 20 "$KDSCOPE" render "${large[@]}" -o large.png >&- 2>err.txt
+[[ $? -eq 2 && $(wc -l <err.txt) -eq 1 && ! -e large.png ]] || fail "closed standard output: $(cat err.txt)"
+
 # Standard input closed, nobody at the other end of the pipe.
 "$KDSCOPE" stats cornell <&- >/dev/null || fail "closed standard input"
 "$KDSCOPE" stats cornell --builders 2>err.txt | head -1 >/dev/null

@@ -8,6 +8,7 @@
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/stability/case_run.h"
 #include "renderer/measure/stability/cases.h"
+#include "renderer/measure/timing.h"
 
 namespace kd {
 
@@ -65,8 +66,11 @@ StabilityReport run_stability(const StabilityConfig& config,
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (progress) progress(float(i) / float(cases.size()), fmt::format("{} {}", cases[i]->id, cases[i]->title));
             CaseRun run(*cases[i], config, machines, stop);
-            cases[i]->run(run);
-            for (StabilityRow& row : run.finish()) report.rows.push_back(std::move(row));
+            report.preparing_seconds += 1e-3 * wall_ms([&] { cases[i]->run(run); });
+            for (StabilityRow& row : run.finish()) {
+                report.preparing_seconds -= row.seconds;
+                report.rows.push_back(std::move(row));
+            }
             ++report.cases_run;
         }
     } catch (const CaseRun::Stopped&) {
