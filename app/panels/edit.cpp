@@ -40,8 +40,18 @@ void show_heat(Edit& edit) {
 }
 
 void show_divergence(Edit& edit) {
-    edit.session.view.show_map = true;
-    if (!is_tile_map(edit.session.view.map.map)) choose_map(edit, "divergence");
+    ViewConfig& view = edit.session.view;
+    if (view.show_map && is_tile_map(view.map.map)) return;
+    edit.window.beauty = !view.show_map;
+    view.show_map = true;
+    if (!is_tile_map(view.map.map)) choose_map(edit, "divergence");
+}
+
+void toggle_divergence(Edit& edit) {
+    const ViewConfig& view = edit.session.view;
+    if (!view.show_map || !is_tile_map(view.map.map)) return show_divergence(edit);
+    show_heat(edit);
+    if (edit.window.beauty) show_beauty(edit);
 }
 
 void choose_map(Edit& edit, const std::string& map) {
@@ -50,11 +60,28 @@ void choose_map(Edit& edit, const std::string& map) {
     view.map.map = map;
     if (!is_tile_map(map)) edit.window.heatmap = map;
     view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
+    view.heat.logarithmic = edit.window.logarithmic && takes_log(edit);
 }
 
 void show_map(Edit& edit, const std::string& map) {
     choose_map(edit, map);
     edit.session.view.show_map = true;
+}
+
+bool takes_log(const Edit& edit) {
+    const MapInfo* map = find_map(edit.session.view.map.map);
+    return map && map->takes_log();
+}
+
+void toggle_log(Edit& edit) {
+    if (!takes_log(edit)) return;
+    bool& logarithmic = edit.session.view.heat.logarithmic;
+    edit.window.logarithmic = logarithmic = !logarithmic;
+}
+
+void show_unfinished(const EngineState& state, Edit& edit) {
+    show_map(edit, "exit");
+    if (state.picture) edit.session.view.map.rays = state.picture->traced.unfinished.rays;
 }
 
 void choose_scene(Edit& edit, const std::string& scene) {

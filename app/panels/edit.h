@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/engine_state.h"
+#include "app/window/exporter.h"
 
 namespace kd {
 
@@ -26,9 +27,13 @@ struct WindowSettings {
     std::optional<PixelPosition> pinned;
     std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
     CameraStyle camera_style = CameraStyle::orbit;
-    std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
-    std::string folder = ".";       // of exported files; "~" stands for the home folder
-    float fly_speed = 1;            // times the scene's size per 4 seconds
+    std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
+    bool beauty = false;                    // was shown before Divergence
+    bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
+    std::string folder = ".";               // of exported files; "~" stands for the home folder
+    float fly_speed = 1;                    // times the scene's size per 4 seconds
+    std::vector<std::string> recent_files;  // scenes opened from files, newest first
+    int timing_scale = 0;                   // of the frames timed: 0 = chosen by the program, 1 = every pixel, 2 = half
 };
 
 enum class Action {
@@ -49,6 +54,7 @@ struct Edit {
     std::vector<Action> actions;
     std::optional<PixelPosition> hovered;  // under the mouse
     std::string last_export;               // for people: the file written last
+    Exporter::Progress exporting;          // the file being written
 
     void do_once(Action action) { actions.push_back(action); }
 };
@@ -63,9 +69,17 @@ namespace edits {
 void show_beauty(Edit& edit);
 void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
+/// To the divergence, and from there back to what was shown before.
+void toggle_divergence(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
+/// Whether the map chosen can have a logarithmic scale.
+[[nodiscard]] bool takes_log(const Edit& edit);
+/// A logarithmic scale for this map and the next that can have one; nothing where this one cannot.
+void toggle_log(Edit& edit);
+/// Why rays ended, of the rays that were given up most.
+void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
 /// `build` with the rules that the paper's text gives; its costs have no values there.
 [[nodiscard]] BuildConfig papers_rules(BuildConfig build);

@@ -50,15 +50,15 @@ constexpr const char* window = "Window";
 
 constexpr KeyBinding table[] = {
     {GLFW_KEY_H, plain, "H", see, "heatmap on or off", [](State, Edit& e) { toggle_heat(e); }},
-    {GLFW_KEY_D, plain, "D", see, "divergence of SIMD groups", [](State, Edit& e) { edits::show_divergence(e); }},
+    {GLFW_KEY_D, plain, "D", see, "divergence of SIMD groups, and back",
+     [](State, Edit& e) { edits::toggle_divergence(e); }},
     {GLFW_KEY_S, plain, "S", see, "splits on or off",
      [](State, Edit& e) { e.session.view.overlay.show = !e.session.view.overlay.show; }},
     {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits one level less deep", [](State, Edit& e) { change_depth(e, -1); }},
     {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
     {GLFW_KEY_M, plain, "M", see, "next map", [](State, Edit& e) { edits::next_map(e); }},
     {GLFW_KEY_C, plain, "C", see, "next colours", [](State, Edit& e) { edits::next_colormap(e); }},
-    {GLFW_KEY_G, plain, "G", see, "logarithmic or linear scale",
-     [](State, Edit& e) { e.session.view.heat.logarithmic = !e.session.view.heat.logarithmic; }},
+    {GLFW_KEY_G, plain, "G", see, "logarithmic or linear scale", [](State, Edit& e) { edits::toggle_log(e); }},
     {GLFW_KEY_K, plain, "K", see, "legend on or off", [](State, Edit& e) { e.window.legend = !e.window.legend; }},
     {GLFW_KEY_N, plain, "N", see, "normalise: automatic range",
      [](State s, Edit& e) { edits::lock_range(s, e, false); }},

@@ -78,9 +78,14 @@ bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale) {
     const LayoutSizes before = sizes;
     const float gap = splitter * scale;
     const Rectangle& p = layout.picture;
-    sizes.left += handle("##left splitter", {p.x - gap, p.y, gap, p.height}, true) / scale;
-    sizes.right -= handle("##right splitter", {p.x + p.width, p.y, gap, p.height}, true) / scale;
-    sizes.bottom -= handle("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false) / scale;
+    // From what is shown, which may be less than what was asked for: a border follows the mouse at once.
+    const auto drag = [&](const char* id, Rectangle place, bool upright, float shown, float& size, float sign) {
+        if (const float moved = handle(id, place, upright); moved != 0) size = (shown + sign * moved) / scale;
+    };
+    drag("##left splitter", {p.x - gap, p.y, gap, p.height}, true, layout.left.width, sizes.left, 1);
+    drag("##right splitter", {p.x + p.width, p.y, gap, p.height}, true, layout.right.width, sizes.right, -1);
+    drag("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false, layout.bottom.height,
+         sizes.bottom, -1);
     sizes.left = std::clamp(sizes.left, least_column, 800.0f);
     sizes.right = std::clamp(sizes.right, least_column, 800.0f);
     sizes.bottom = std::clamp(sizes.bottom, least_bottom, 600.0f);

@@ -31,6 +31,16 @@ bool flag(const Json& json, const char* key, bool otherwise) {
     return json.contains(key) && json[key].is_boolean() ? json[key].get<bool>() : otherwise;
 }
 
+/// The paths under `key` of files that are still there.
+std::vector<std::string> files(const Json& json, const char* key) {
+    std::vector<std::string> found;
+    std::error_code error;
+    if (json.contains(key) && json[key].is_array())
+        for (const Json& path : json[key])
+            if (path.is_string() && fs::is_regular_file(path.get<std::string>(), error)) found.push_back(path);
+    return found;
+}
+
 }  // namespace
 
 WindowMemory recall() {
@@ -50,6 +60,7 @@ WindowMemory recall() {
         memory.settings.legend_corner = Corner(number(json, "legend_corner", 0, 3, int(Corner::bottom_right)));
         memory.settings.timing = flag(json, "timing", true);
         memory.settings.legend = flag(json, "legend", true);
+        memory.settings.recent_files = files(json, "recent_files");
     } catch (const std::exception&) {
         return {};  // a broken file is as good as none
     }
@@ -71,6 +82,7 @@ void remember(const WindowMemory& memory) {
                     {"text_scale", settings.text_scale},
                     {"timing", settings.timing},
                     {"legend", settings.legend},
+                    {"recent_files", settings.recent_files},
                     {"legend_corner", int(settings.legend_corner)}};
     try {
         write_file(file, json_text(json));

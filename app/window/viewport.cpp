@@ -80,6 +80,7 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (edit.window.legend && uploaded_) draw_legend(area, *uploaded_, edit.window.legend_corner);
+    draw_unfinished(area, state, edit);
 }
 
 void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edit& edit) {
