@@ -1,8 +1,8 @@
 #include "app/engine_source.h"
 
 #include <algorithm>
+#include <chrono>
 
-#include "app/gl_frame_time.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/measure/timing.h"
@@ -63,8 +63,7 @@ class GlSource final : public FrameSource {
             }
             const Tile band{0, y, frame.width, std::min(y + rows_, frame.height)};
             const GlFrameReport report = tracer_.draw(complete(task), task.camera, frame.width, frame.height, band);
-            clock_ = report.clock;
-            add_band(time, report);
+            add(report, time);
             adapt(report.total_ms / double(band.y1 - band.y0));
             y = band.y1;
             if (progress) progress(float(y) / float(frame.height));
@@ -81,6 +80,17 @@ class GlSource final : public FrameSource {
     /// What is not counted for the maps is timed, and counts no shaded pixels either.
     static GlTraceConfig complete(const FrameTask& task) {
         return {.trace = task.config, .early_z = task.early_z, .count_shaded = task.config.counters};
+    }
+
+    void add(const GlFrameReport& report, FrameTime& time) {
+        clock_ = report.clock;
+        time.total_ms += report.total_ms;
+        for (std::size_t pass = 0; pass < pass_count; ++pass) {
+            if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+            std::int64_t& shaded = time.shaded_pixels[pass];
+            if (report.shaded_pixels[pass] >= 0)
+                shaded = std::max(shaded, std::int64_t(0)) + report.shaded_pixels[pass];
+        }
     }
 
     /// Rows per band for about `band_ms`, in steps of at most four so that one odd band does not decide.

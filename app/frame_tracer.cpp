@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/gl_frame_time.h"
 #include "app/machine_info.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
@@ -71,7 +70,14 @@ class GlFrameTracer final : public FrameTracer {
             const Tile band{0, y, width, std::min(y + rows, height)};
             const GlFrameReport report = tracer_->draw(complete(config), camera, width, height, band);
             clock_ = report.clock;
-            add_band(time, report);
+            time.total_ms += report.total_ms;
+            for (std::size_t pass = 0; pass < pass_count; ++pass) {
+                if (report.pass_ms[pass] > 0)
+                    time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+                if (report.shaded_pixels[pass] >= 0)
+                    time.shaded_pixels[pass] =
+                        std::max(time.shaded_pixels[pass], std::int64_t(0)) + report.shaded_pixels[pass];
+            }
             if (progress) progress(float(band.y1) / float(height));
         }
         return time;
