@@ -247,8 +247,9 @@ TEST(CliUsage, AMissingContextIsToldBeforeTheWork) {
     ::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);  // to Mesa's drivers
     ::setenv("MESA_GLSL_VERSION_OVERRIDE", "330", 1);
     const std::string picture = folder.file("a.png");
-    for (const Words& arguments : {Words{"render", "nosuch", "-o", picture}, Words{"bench", "nosuch"},
-                                   Words{"verify", "nosuch"}, Words{"stability"}, Words{"gallery", "-o", folder.file("new")}}) {
+    for (const Words& arguments :
+         {Words{"render", "nosuch", "-o", picture}, Words{"bench", "nosuch"}, Words{"verify", "nosuch"},
+          Words{"stability"}, Words{"gallery", "-o", folder.file("new")}}) {
         Words with = arguments;
         with.insert(with.end(), {"--tracer", "gl-fragment", "--context", "osmesa"});
         const test::Outcome outcome = run_kdscope(with);

@@ -352,34 +352,6 @@ TEST(Engine, AFileThatIsChosenIsLoadedAndABadOneIsNot) {
     EXPECT_EQ(engine.state().session.scene, engine.state().world->loaded->name) << "the file before stays";
 }
 
-TEST(Engine, TimesFramesOfTheSizeThatIsAskedFor) {
-    EngineOptions options = quiet();
-    options.duel = true;
-    Engine engine(small_session(), options);
-    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.rounds.size() >= 2; }));
-    engine.allow_duel(true, 4);
-    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.scale == 4; }));
-    EXPECT_EQ(engine.state().duel.width, 16);
-    EXPECT_EQ(engine.state().duel.height, 12);
-    EXPECT_TRUE(engine.state().duel.chosen);
-    EXPECT_EQ(engine.state().duel.rounds.size(), 1u) << "rounds of another size do not count";
-}
-
-TEST(DuelScale, IsChosenOnceAndKeptUnlessFramesGetFarTooSlow) {
-    double whole_ms = 600;
-    const auto predicted = [&](int scale) { return whole_ms / (scale * scale); };
-    int scale = duel_scale(0, predicted);
-    EXPECT_EQ(scale, 2);
-    for (const double ms : {400.0, 10.0, 900.0, 2100.0, 7000.0}) {
-        whole_ms = ms;
-        EXPECT_EQ(duel_scale(scale, predicted), 2) << ms;
-    }
-    whole_ms = 9000;
-    EXPECT_EQ(duel_scale(scale, predicted), 8);
-    EXPECT_EQ(duel_scale(0, [](int) { return 0.0; }), 1) << "the speed is not known";
-    EXPECT_EQ(duel_scale(0, [](int) { return 1e9; }), LevelPlan::coarsest);
-}
-
 TEST(DuelState, SaysWhoIsFasterFromThreeRoundsOn) {
     DuelState duel;
     duel.add({.cpu_ms = 10, .gl_ms = 20});
