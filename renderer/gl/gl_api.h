@@ -66,7 +66,14 @@
     X(GetShaderiv, GETSHADERIV)                                                                                        \
     X(GetString, GETSTRING)                                                                                            \
     X(GetTexImage, GETTEXIMAGE)                                                                                        \
+    X(IsBuffer, ISBUFFER)                                                                                              \
     X(IsEnabled, ISENABLED)                                                                                            \
+    X(IsFramebuffer, ISFRAMEBUFFER)                                                                                    \
+    X(IsProgram, ISPROGRAM)                                                                                            \
+    X(IsQuery, ISQUERY)                                                                                                \
+    X(IsShader, ISSHADER)                                                                                              \
+    X(IsTexture, ISTEXTURE)                                                                                            \
+    X(IsVertexArray, ISVERTEXARRAY)                                                                                    \
     X(LinkProgram, LINKPROGRAM)                                                                                        \
     X(ObjectLabel, OBJECTLABEL)                                                                                        \
     X(PixelStorei, PIXELSTOREI)                                                                                        \
