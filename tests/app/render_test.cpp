@@ -176,7 +176,7 @@ TEST(C07, RenderTellsBadOutputsBeforeTheWork) {
     EXPECT_EQ(folder.names(), Words{"dir.png"});
 }
 
-TEST(Render, OutputsMustDiffer) {
+TEST(C10, OutputsMustDiffer) {
     const TestFolder folder;
     const auto refused = [&](const Words& outputs, const Words& words) {
         Words arguments{"render", "ball:2000000", "-o", folder.file("a.png")};
@@ -197,7 +197,7 @@ TEST(Render, OutputsMustDiffer) {
               0);
 }
 
-TEST(Render, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
+TEST(C10, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
     const TestFolder folder;
     const test::Outcome outcome =
         run_kdscope({"render", "ball:2000000", "-o", folder.file("a.png"), "--map", "divergence", "--tile", "500x500"});
