@@ -12,6 +12,7 @@
 #include "app/closest_name.h"
 #include "app/commands/commands.h"
 #include "app/help_format.h"
+#include "app/printable_stream.h"
 #include "app/session.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/gl/gl_tracer.h"
@@ -133,8 +134,10 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
 }
 
 int run_and_flush(std::vector<std::string> arguments, CommandContext& context) {
-    const int code = parse_and_run(std::move(arguments), context);
-    if (!context.out.flush()) throw InputError("standard output: cannot be written to; is the disk full?");
+    PrintableStream out(context.out);
+    CommandContext clean{out, context.err, context.progress, context.stop};
+    const int code = parse_and_run(std::move(arguments), clean);
+    if (!out.flush()) throw InputError("standard output: cannot be written to; is the disk full?");
     return code;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/io/printable.h"
+
 namespace kd {
 
 namespace {
@@ -41,6 +43,7 @@ Engine::~Engine() = default;
 double Engine::now() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
 void Engine::say(bool error, std::string text) {
+    text = printable(text, 4000);
     state_.messages.push_back({error, std::move(text), now()});
     if (state_.messages.size() > most_messages) state_.messages.erase(state_.messages.begin());
 }
