@@ -53,7 +53,8 @@ void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& s
     const float wrap = std::min(theme::px(420), area.width - 2 * margin - 2 * padding);
     float y = area.y + margin;
     for (const Message& message : state.messages) {
-        if (now - message.time > (message.error ? error_seconds : note_seconds)) continue;
+        const double seconds = message.error ? error_seconds : note_seconds;
+        if (!message.stays && now - message.time > seconds) continue;
         const char* text = message.text.c_str();
         const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
         const ImVec2 low{area.x + margin, y};

@@ -119,6 +119,7 @@ bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
     const bool working = state.working() || state.stale();
+    if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
 
@@ -129,6 +130,11 @@ void WindowLoop::run(const std::stop_token& stop) {
         wait();
         const bool news = engine_->poll();
         if (news) lively_frames_ = std::max(lively_frames_, 1);
+        if (window_.hidden()) {  // nothing is drawn or timed, and the first frame after it shows what went on
+            engine_->allow_duel(false);
+            lively_frames_ = frames_after_input;
+            continue;
+        }
         const bool moving = engine_->state().working() || !engine_->state().messages.empty();
         if (lively_frames_ > 0 || moving) draw_frame();
         --lively_frames_;

@@ -62,6 +62,7 @@
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                                                            \
     X(GetProgramiv, GETPROGRAMIV)                                                                                      \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)                                                                        \
+    X(GetQueryiv, GETQUERYIV)                                                                                          \
     X(GetShaderInfoLog, GETSHADERINFOLOG)                                                                              \
     X(GetShaderiv, GETSHADERIV)                                                                                        \
     X(GetString, GETSTRING)                                                                                            \
@@ -103,6 +104,8 @@ struct GlApi {
     KD_GL_FUNCTIONS(KD_GL_MEMBER)
 #undef KD_GL_MEMBER
 
+    /// Null where the driver does not tell: below OpenGL 4.5.
+    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
     GlMessages* messages = nullptr;  // what the driver said, where it is asked to (renderer/gl/gl_debug.h)
 
     /// Fills the table from eglGetProcAddress, OSMesaGetProcAddress, glfwGetProcAddress or alike, and returns the names
