@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/io/printable.h"
+
 namespace kd {
 
 namespace {
@@ -41,6 +43,7 @@ Engine::~Engine() = default;
 double Engine::now() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
 void Engine::say(bool error, std::string text) {
+    text = printable(text, 4000);
     state_.messages.push_back({error, std::move(text), now()});
     if (state_.messages.size() > most_messages) state_.messages.erase(state_.messages.begin());
 }
@@ -82,11 +85,11 @@ void Engine::note_input() {
 }
 
 void Engine::allow_duel(bool allowed, int scale) {
-    if (scale != duel_scale_) {
+    if (allowed && scale != duel_scale_) {
+        duel_scale_ = scale;
         duel_of_ = 0;  // what was measured is of frames of another size
         stop_duel();
     }
-    duel_scale_ = scale;
     options_.duel = allowed;
     if (!allowed) stop_duel();
 }

@@ -64,6 +64,7 @@ class Engine {
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
     void start_trace();
+    void note_gl(const GlStatus& gl);
     void receive(TracedFrame traced);
     void start_paint();
     void paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work);

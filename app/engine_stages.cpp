@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "app/engine.h"
+#include "app/error_text.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/timing.h"
 
@@ -41,7 +43,7 @@ void Engine::start_load() {
         try {
             loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, name);
         }
         mailbox_.post([this, name, seed, loaded, error] {
             if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
@@ -92,7 +94,7 @@ void Engine::start_build() {
             world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the tree");
         }
         const bool stopped = stop.stop_requested();
         mailbox_.post([this, world, error, stopped] {
@@ -152,20 +154,30 @@ void Engine::start_trace() {
                 request, stop, [this](TracedFrame f) { mailbox_.post([this, f = std::move(f)] { receive(f); }); },
                 [this](float fraction) { trace_fraction_ = fraction; });
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the picture");
         }
         const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
         mailbox_.post([this, gl, error, ticket, tracer = request.tracer] {
-            if (gl.known) state_.gl = gl;
+            note_gl(gl);
             if (ticket == trace_ticket_) state_.tracing = {};
             if (error.empty()) return;
-            say(true, error);
+            if (error != gl.unavailable || !gl.fails) say(true, error);
             if (tracer == TracerKind::cpu || state_.session.tracer != tracer) return;
             Session back = state_.session;
             back.tracer = TracerKind::cpu;
             set_session(back);
         });
     });
+}
+
+/// Tells what happened to the GPU since.
+void Engine::note_gl(const GlStatus& gl) {
+    if (!gl.known) return;
+    const GlStatus before = std::exchange(state_.gl, gl);
+    if (gl.losses > before.losses && gl.available()) say(true, "the GPU was reset; its context was made anew");
+    if (!gl.fails || before.fails) return;
+    say(true, gl.unavailable);
+    state_.messages.back().stays = true;
 }
 
 void Engine::receive(TracedFrame traced) {
@@ -196,7 +208,7 @@ void Engine::paint_and_show(std::uint64_t ticket, const ViewConfig& view, const 
     try {
         mailbox_.post([this, ticket, shown = std::make_shared<const Picture>(work())] { show(shown, ticket); });
     } catch (const std::exception& e) {
-        mailbox_.post([this, error = std::string(e.what()), view] { fail_paint(error, view); });
+        mailbox_.post([this, error = error_text(e, "the picture"), view] { fail_paint(error, view); });
     }
 }
 
@@ -234,14 +246,16 @@ void Engine::start_duel() {
         try {
             took = 1e-3 * wall_ms([&] { reply = tracing_->duel(request, stop); });
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the frame");
         }
-        mailbox_.post([this, reply, error, took, request, generation] {
+        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
+        mailbox_.post([this, reply, error, took, request, generation, gl] {
+            note_gl(gl);
             duelling_ = state_.duel.running = false;
             duel_ended_ = now();
             duel_took_ = took;
             if (!error.empty()) {
-                say(true, "timing: " + error);
+                if (!gl.fails) say(true, "timing: " + error);
                 duel_failed_ = request;
             }
             if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);

@@ -63,7 +63,8 @@ struct Progress {
 struct Message {
     bool error = false;
     std::string text;
-    double time = 0;  // Engine::now() when it came
+    double time = 0;     // Engine::now() when it came
+    bool stays = false;  // until it is dismissed
 };
 
 /// The GPU side as it was found.
@@ -73,6 +74,8 @@ struct GlStatus {
     std::string version;
     bool software = false;
     std::string unavailable;  // why there is none, one line
+    bool fails = false;       // there is one, but it cannot be relied on: its self-test, its shaders, its resets
+    int losses = 0;           // contexts that were lost
     [[nodiscard]] bool available() const { return known && unavailable.empty(); }
 };
 

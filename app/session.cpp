@@ -46,6 +46,17 @@ fs::path scene_file(const std::string& name) {
                     printable(name), did_you_mean(name, scenes_like(name)), known_scenes()));
 }
 
+/// A scene from a file, of which something can be seen: an empty one is a mistake, though trees and tracers take it.
+FlatScene shown_file(const fs::path& file) {
+    FlatScene flat = flatten(load_gltf(file));
+    if (!flat.triangles.empty()) return flat;
+    std::string reasons;
+    for (const std::string& note : flat.notes)
+        if (note.starts_with("dropped") || note.starts_with("skipped"))
+            reasons += (reasons.empty() ? ": " : "; ") + note;
+    throw InputError(fmt::format("{}: holds no triangle that can be shown{}", printable(file.string(), 4096), reasons));
+}
+
 }  // namespace
 
 std::string contents_text(const FlatScene& scene) {
@@ -65,7 +76,7 @@ FlatScene load_scene(const std::string& name, unsigned seed) {
     if (!names_gltf(file))
         throw InputError(
             fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));
-    return flatten(load_gltf(file));
+    return shown_file(file);
 }
 
 std::vector<std::string> scenes_like(const std::string& name) {

@@ -94,7 +94,8 @@ void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& s
     float y = area.y + margin;
     if (unfinished_in(state).pixels > 0) y += ImGui::GetFrameHeight() + theme::px(4);
     for (const Message& message : state.messages) {
-        if (now - message.time > (message.error ? error_seconds : note_seconds)) continue;
+        const double seconds = message.error ? error_seconds : note_seconds;
+        if (!message.stays && now - message.time > seconds) continue;
         const char* text = message.text.c_str();
         const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
         const ImVec2 low{area.x + margin, y};

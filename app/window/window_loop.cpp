@@ -147,6 +147,7 @@ bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
     const bool working = state.working() || state.stale() || edit_.exporting.active;
+    if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
 
@@ -158,6 +159,11 @@ void WindowLoop::run(const std::stop_token& stop) {
         const bool news = engine_->poll();
         fetch_exports();
         if (news) lively_frames_ = std::max(lively_frames_, 1);
+        if (window_.hidden()) {  // nothing is drawn or timed, and the first frame after it shows what went on
+            engine_->allow_duel(false);
+            lively_frames_ = frames_after_input;
+            continue;
+        }
         const bool moving = engine_->state().working() || !engine_->state().messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) draw_frame();
         --lively_frames_;

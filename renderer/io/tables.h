@@ -5,17 +5,22 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/trace/frame.h"
 
 namespace kd {
 
+inline constexpr std::size_t largest_ray_count = 10'000'000;
+
 /// Rays from CSV text with header ox,oy,oz,dx,dy,dz[,tmin,tmax], columns in any order; numbers decimal or hexadecimal
 /// floats, independent of locale. tmin is 0 and tmax KD_T_LIMIT where the column is absent, and an infinite tmax is
 /// KD_T_LIMIT. Blank lines are passed over. Whether a ray can be traced is for the tracer to say (valid_ray).
-/// InputError: "rays.csv:12: column dx: 'abc' is not a number".
+/// InputError: "rays.csv:12: column dx: 'abc' is not a number", also for more than largest_ray_count rays.
 [[nodiscard]] std::vector<Ray> read_rays_csv(const std::filesystem::path& path);
+/// As read_rays_csv, from text at hand. `file` names it in errors.
+[[nodiscard]] std::vector<Ray> parse_rays_csv(std::string_view text, const std::string& file);
 
 /// What read_rays_csv reads back bit for bit: all eight columns, hexadecimal floats. `source` is not kept.
 [[nodiscard]] std::string rays_csv(std::span<const Ray> rays);

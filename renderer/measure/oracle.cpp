@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "renderer/cpu/threads.h"
 #include "renderer/measure/double_kernel.h"
@@ -23,16 +21,14 @@ std::vector<f64::Hit> double_brute_force(const FlatScene& scene, std::span<const
                                          std::stop_token stop) {
     constexpr std::size_t rays_per_task = 16;
     std::vector<f64::Hit> hits(rays.size());
-    on_threads(threads, [&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_per_task), [&](const auto& range) {
-            if (stop.stop_requested()) return;
-            f64::DoubleKernel oracle(scene);
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const f64::Ray ray = widened(rays[i]);
-                hits[i] = oracle.no_hit(ray);
-                oracle.traverse(ray, false, hits[i]);
-            }
-        });
+    parallel_ranges(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
+        if (stop.stop_requested()) return;
+        f64::DoubleKernel oracle(scene);
+        for (std::size_t i = first; i < last; ++i) {
+            const f64::Ray ray = widened(rays[i]);
+            hits[i] = oracle.no_hit(ray);
+            oracle.traverse(ray, false, hits[i]);
+        }
     });
     return hits;
 }

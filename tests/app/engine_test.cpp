@@ -1,56 +1,14 @@
 // The engine without a window: one way from session to picture, whatever happens on the way.
-#include "app/engine.h"
-
 #include <algorithm>
-#include <chrono>
 #include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 #include <limits>
-#include <thread>
 
 #include "renderer/trace/counters.h"
+#include "tests/app/engine_run.h"
 #include "viz/overlay.h"
 
 namespace kd {
 namespace {
-
-using namespace std::chrono_literals;
-
-Session small_session(const std::string& scene = "ball:300") {
-    Session session;
-    session.scene = scene;
-    session.width = 64;
-    session.height = 48;
-    session.threads = 1;
-    return session;
-}
-
-EngineOptions quiet() {
-    EngineOptions options;
-    options.duel = false;
-    return options;
-}
-
-/// Polls until `done` holds; false after ten seconds.
-template <class Done>
-bool wait_until(Engine& engine, const Done& done) {
-    for (int i = 0; i < 10000; ++i) {
-        engine.poll();
-        if (done(engine.state())) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-bool settle(Engine& engine) {
-    return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working(); });
-}
-
-bool has_error(const EngineState& state, const std::string& part) {
-    for (const Message& message : state.messages)
-        if (message.error && message.text.find(part) != std::string::npos) return true;
-    return false;
-}
 
 TEST(Engine, ShowsTheWholePictureOfTheSessionItStartsWith) {
     Engine engine(small_session(), quiet());

@@ -156,7 +156,7 @@ TEST(Render, OptionsChangeWhatIsTraced) {
     EXPECT_GT(rays({}, "reflection"), 0);
 }
 
-TEST(Render, BadOutputsAreToldBeforeTheWork) {
+TEST(C07, RenderTellsBadOutputsBeforeTheWork) {
     const TestFolder folder;
     const auto refused = [&](const Words& outputs, const Words& words) {
         Words arguments{"render", "ball:2000000"};
@@ -179,7 +179,7 @@ TEST(Render, BadOutputsAreToldBeforeTheWork) {
     EXPECT_EQ(folder.names(), Words{"dir.png"});
 }
 
-TEST(Render, OutputsMustDiffer) {
+TEST(C10, OutputsMustDiffer) {
     const TestFolder folder;
     const auto refused = [&](const Words& outputs, const Words& words) {
         Words arguments{"render", "ball:2000000", "-o", folder.file("a.png")};
@@ -200,7 +200,7 @@ TEST(Render, OutputsMustDiffer) {
               0);
 }
 
-TEST(Render, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
+TEST(C10, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
     const TestFolder folder;
     const test::Outcome outcome =
         run_kdscope({"render", "ball:2000000", "-o", folder.file("a.png"), "--map", "divergence", "--tile", "500x500"});
@@ -219,7 +219,7 @@ TEST(Render, PicturesLargerThanMemoryAreRefused) {
                        {"--size", "16384x16384", "GB"});
 }
 
-TEST(Render, DoesNotOverwriteItsOwnScene) {
+TEST(C08, RenderDoesNotOverwriteItsOwnScene) {
     const TestFolder folder;
     std::filesystem::copy_file(std::string(KD_SOURCE_DIR) + "/assets/scenes/lantern.gltf", folder.file("s.gltf"));
     const std::string before = read_file(folder.file("s.gltf"));

@@ -133,7 +133,7 @@ TEST_F(Trace, EveryTraversalAgrees) {
     EXPECT_EQ((*answers["3"].begin())[0], "0");
 }
 
-TEST_F(Trace, DoesNotOverwriteItsRays) {
+TEST_F(Trace, C08DoesNotOverwriteItsRays) {
     const std::string before = read_file(rays);
     expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", rays}), {"--output", "table of rays"});
     EXPECT_EQ(read_file(rays), before);

@@ -81,10 +81,52 @@ TEST(CameraMoves, PanMovesEyeAndTargetAlikeAcrossTheView) {
 }
 
 TEST(CameraMoves, ZoomIsRefusedWhereItWouldEndInTheTarget) {
-    EXPECT_NEAR(distance(zoom(start, 0.5f)), 0.5f * distance(start), 1e-5f);
-    EXPECT_EQ(zoom(start, 0), start);
-    EXPECT_EQ(zoom(start, std::numeric_limits<float>::quiet_NaN()), start);
+    EXPECT_NEAR(distance(zoom(start, 0.5f, 10)), 0.5f * distance(start), 1e-5f);
+    EXPECT_EQ(zoom(start, 0, 10), start);
+    EXPECT_EQ(zoom(start, std::numeric_limits<float>::quiet_NaN(), 10), start);
     EXPECT_EQ(look_at(start, start.eye), start);
+}
+
+TEST(CameraMoves, F11_AMillionStepsOfZoomStayWithinReachOfTheScene) {
+    for (const float size : {1e-3f, 1.0f, 1e5f}) {
+        Camera camera = start;
+        for (int i = 0; i < 1'000'000; ++i) camera = zoom(camera, 0.9f, size);
+        EXPECT_TRUE(is_valid(camera));
+        EXPECT_GT(distance(camera), 0.9e-6f * size);
+        for (int i = 0; i < 1'000'000; ++i) camera = zoom(camera, 1.1f, size);
+        EXPECT_TRUE(is_valid(camera));
+        EXPECT_LE(distance(camera), 1.1e6f * size);
+        EXPECT_GT(distance(camera), 0.8e6f * size);
+        for (int i = 0; i < 1'000'000; ++i) camera = zoom(camera, 0.9f, size);
+        EXPECT_LT(distance(camera), 2e-6f * std::max(size, 10.0f)) << "and back";
+    }
+}
+
+TEST(CameraMoves, F11_MovesThatAreNoNumbersLeaveTheCamera) {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity()}) {
+        EXPECT_EQ(orbit(start, bad, 0), start);
+        EXPECT_EQ(look_around(start, bad, 0), start);
+        EXPECT_EQ(pan(start, bad, 1), start);
+        EXPECT_EQ(pan(start, 0, bad), start);
+        EXPECT_EQ(fly(start, bad, 0, 0), start);
+        EXPECT_EQ(fly(start, 0, 0, bad), start);
+        EXPECT_EQ(look_at(start, Vec3(bad)), start);
+        EXPECT_TRUE(is_valid(zoom(start, bad, 10)));
+    }
+    EXPECT_EQ(orbit(start, 0, std::numeric_limits<float>::quiet_NaN()), start);
+}
+
+TEST(Layout, F09_AreasOfAnyWindowAreNumbers) {
+    for (const auto& [width, height] : {std::pair{0.0f, 0.0f}, {1.0f, 1.0f}, {30000.0f, 1.0f}, {1.0f, 30000.0f}})
+        for (const bool panels : {false, true}) {
+            const Layout layout = divide(width, height, {}, 1, panels);
+            for (const Rectangle& r :
+                 {layout.top, layout.left, layout.picture, layout.right, layout.bottom, layout.status})
+                for (const float x : {r.x, r.y, r.width, r.height}) EXPECT_TRUE(std::isfinite(x));
+            EXPECT_GE(layout.picture.width, 1);
+            EXPECT_GE(layout.picture.height, 1);
+        }
 }
 
 TEST(CameraMoves, ThePixelInTheMiddleLooksAtTheTarget) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files: a full disk and a closed pipe are told, an old file survives a failure, names need not be ASCII.
+# Files (C09, C11): a full disk and a closed pipe are told, an old file survives a failure, names need not be ASCII.
 set -u
 rm -rf work && mkdir work && cd work || exit 1
 fail() {
