@@ -177,12 +177,14 @@ TEST_P(GlFaults, F08_AContextThatIsLostIsToldAsSuch) {
         tracer.upload(scene, tree);
         for (int i = 0; i < 20; ++i) tracer.draw({}, pinhole(scene.camera, 16, 12), 16, 12, whole(16, 12));
     };
-    const auto first = Context::create(GetParam());
-    GlTracer lost(*first);
-    EXPECT_TRUE(holds(message_of<ContextLost>([&] { draw_often(lost); }), "the GPU was reset while"));
-    EXPECT_THROW(draw_often(lost), ContextLost) << "for good";
-    const auto second = Context::create(GetParam());
-    GlTracer good(*second);
+    {
+        const auto context = Context::create(GetParam());
+        GlTracer lost(*context);
+        EXPECT_TRUE(holds(message_of<ContextLost>([&] { draw_often(lost); }), "the GPU was reset while"));
+        EXPECT_THROW(draw_often(lost), ContextLost) << "for good";
+    }
+    const auto context = Context::create(GetParam());
+    GlTracer good(*context);
     EXPECT_NO_THROW(draw_often(good));
 }
 

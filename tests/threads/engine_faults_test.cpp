@@ -1,41 +1,16 @@
 // F14 and F15 of docs/stability.md: scenes changed faster than they are built, and memory that runs out.
-#include <atomic>
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <limits>
 #include <map>
-#include <new>
 #include <random>
 
 #include "app/engine.h"
-
-namespace {
-
-/// Allocations of at least so many bytes fail.
-std::atomic<std::size_t> too_much = std::numeric_limits<std::size_t>::max();
-
-}  // namespace
-
-// Replaces the program's own for this executable: memory that runs out at a known place, in every build.
-void* operator new(std::size_t size) {
-    if (size < too_much)
-        if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/threads/scarce_memory.h"
 
 namespace kd {
 namespace {
 
 using namespace std::chrono_literals;
-
-struct ScarceMemory {
-    explicit ScarceMemory(std::size_t limit) { too_much = limit; }
-    ~ScarceMemory() { too_much = std::numeric_limits<std::size_t>::max(); }
-    ScarceMemory(const ScarceMemory&) = delete;
-    ScarceMemory& operator=(const ScarceMemory&) = delete;
-};
+using test::ScarceMemory;
 
 Session small_session(const std::string& scene) {
     Session session;
