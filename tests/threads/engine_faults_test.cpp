@@ -53,7 +53,7 @@ TEST(EngineFaults, F14_AThousandRandomSwitchesEndWithTheLastAndKeepNothingElse) 
         session.build.leaf_size = 1 + int(random() % 8);
         session.trace.traversal = random() % 2 ? Traversal::restart : Traversal::stack;
         session.width = 32 + int(random() % 32);
-        session.seed = 1 + random() % 3;
+        session.seed = unsigned(1 + random() % 3);
         engine.set_session(session);
         if (random() % 4 == 0) engine.cancel_build();
         if (random() % 8 == 0) engine.note_input();
