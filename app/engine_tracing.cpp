@@ -78,8 +78,18 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
         });
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
-        publish({request.world, frame, request.camera, request.config, request.tracer, scale, time, machine.clock(),
-                 needs, omitted, request.generation});
+        publish({request.world,
+                 frame,
+                 {},
+                 request.camera,
+                 request.config,
+                 request.tracer,
+                 scale,
+                 time,
+                 machine.clock(),
+                 needs,
+                 omitted,
+                 request.generation});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }

@@ -26,7 +26,7 @@ struct WindowSettings {
     std::optional<PixelPosition> pinned;
     std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
     CameraStyle camera_style = CameraStyle::orbit;
-    std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
+    std::string heatmap = "nodes";  // the map that Heat goes back to from others
     std::string folder = ".";       // of exported files; "~" stands for the home folder
     float fly_speed = 1;            // times the scene's size per 4 seconds
 };
@@ -41,6 +41,7 @@ enum class Action {
     export_json,
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
+    copy_ray,      // the compared ray of the pinned or hovered pixel, as a table that trace reads
 };
 
 struct Edit {
@@ -63,6 +64,7 @@ namespace edits {
 void show_beauty(Edit& edit);
 void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
+void show_oracle(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
@@ -84,6 +86,8 @@ void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
+/// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
+void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
 /// Puts the orbit centre where the pinned or hovered pixel's ray hit.
 void focus(const EngineState& state, Edit& edit);
 }  // namespace edits

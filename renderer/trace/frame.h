@@ -38,6 +38,11 @@ struct Frame {
     [[nodiscard]] const RayLayer& layer(Pass pass) const { return layers[static_cast<std::size_t>(pass)]; }
 };
 
+/// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
+/// the pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was
+/// hit.
+[[nodiscard]] bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel);
+
 /// Half-open rectangle of pixels.
 struct Tile {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
