@@ -15,6 +15,7 @@
 #include "app/session.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
+#include "renderer/trace/judged_layer.h"
 #include "viz/figure.h"
 #include "viz/unfinished.h"
 
@@ -24,6 +25,7 @@ namespace kd {
 struct TracedFrame {
     std::shared_ptr<const World> world;
     std::shared_ptr<const Frame> frame;
+    std::shared_ptr<const JudgedLayer> judged;  // of some or all pixels, where a map asked for it; else null
     Camera camera;
     TraceConfig config;
     TracerKind tracer = TracerKind::cpu;
@@ -35,6 +37,12 @@ struct TracedFrame {
     std::uint64_t generation = 0;  // EngineState::generation that it answers
     UnfinishedPixels unfinished;   // of the frame's own pixels
 };
+
+/// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
+[[nodiscard]] inline bool is_judged_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+    if (!needs_oracle(view)) return true;
+    return traced.judged && traced.judged->rays == view.map.rays && (!all || traced.judged->step == 1);
+}
 
 /// What the colours of a map mean.
 struct MapMeaning {
@@ -86,6 +94,7 @@ struct EngineState {
     Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
+    Progress judging;  // comparing the frame with double precision
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
@@ -99,7 +108,12 @@ struct EngineState {
     [[nodiscard]] bool stale() const {
         return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
-    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active; }
+    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active || judging.active; }
+    /// What the oracle says of every pixel of the picture shown; null where it does not, or not yet.
+    [[nodiscard]] const JudgedLayer* judged() const {
+        const JudgedLayer* found = picture ? picture->traced.judged.get() : nullptr;
+        return found != nullptr && found->step == 1 && picture->traced.scale == 1 ? found : nullptr;
+    }
 };
 
 }  // namespace kd

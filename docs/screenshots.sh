@@ -85,6 +85,13 @@ small_pictures() {
     press_all u
     shoot picture-alone 4
     stop_window
+
+    open rooms --rules as-published
+    click_on "top/Oracle"
+    wait_for '^oracle.wrong=[1-9]'
+    press_all w w w
+    shoot oracle
+    stop_window
 }
 
 panel_pictures() {

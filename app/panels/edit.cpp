@@ -22,6 +22,12 @@ bool is_tile_map(const std::string& name) {
     return map && map->over_tiles();
 }
 
+/// What Heat stands for: a number that each pixel's rays cost, neither of tiles nor of what is right.
+bool is_heatmap(const std::string& name) {
+    const MapInfo* map = find_map(name);
+    return map && !map->over_tiles() && !map->needs_oracle();
+}
+
 /// The entry after the one called `name`, round and round.
 template <class Table>
 std::string next_name(const Table& table, const std::string& name) {
@@ -36,7 +42,7 @@ void show_beauty(Edit& edit) { edit.session.view.show_map = false; }
 
 void show_heat(Edit& edit) {
     edit.session.view.show_map = true;
-    if (is_tile_map(edit.session.view.map.map)) choose_map(edit, edit.window.heatmap);
+    if (!is_heatmap(edit.session.view.map.map)) choose_map(edit, edit.window.heatmap);
 }
 
 void show_divergence(Edit& edit) {
@@ -54,11 +60,16 @@ void toggle_divergence(Edit& edit) {
     if (edit.window.beauty) show_beauty(edit);
 }
 
+void show_oracle(Edit& edit) {
+    edit.session.view.show_map = true;
+    if (!needs_oracle(edit.session.view)) choose_map(edit, "oracle");
+}
+
 void choose_map(Edit& edit, const std::string& map) {
     ViewConfig& view = edit.session.view;
     if (view.map.map == map) return;
     view.map.map = map;
-    if (!is_tile_map(map)) edit.window.heatmap = map;
+    if (is_heatmap(map)) edit.window.heatmap = map;
     view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
     view.heat.logarithmic = edit.window.logarithmic && takes_log(edit);
 }
@@ -150,6 +161,15 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     PixelPosition& p = *edit.window.pinned;
     p.x = std::clamp(p.x + dx, 0, std::max(0, state.session.width - 1));
     p.y = std::clamp(p.y + dy, 0, std::max(0, state.session.height - 1));
+}
+
+void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
+    const JudgedLayer* judged = state.judged();
+    if (judged == nullptr) {
+        show_oracle(edit);
+        return;
+    }
+    if (const auto pixel = next_wrong_pixel(*judged, edit.window.pinned, backwards)) edit.window.pinned = *pixel;
 }
 
 void focus(const EngineState& state, Edit& edit) {

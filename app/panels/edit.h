@@ -46,6 +46,7 @@ enum class Action {
     export_json,
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
+    copy_ray,      // the compared ray of the pinned or hovered pixel, as a table that trace reads
 };
 
 struct Edit {
@@ -71,6 +72,7 @@ void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
 /// To the divergence, and from there back to what was shown before.
 void toggle_divergence(Edit& edit);
+void show_oracle(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
@@ -98,6 +100,8 @@ void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
+/// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
+void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
 /// Puts the orbit centre where the pinned or hovered pixel's ray hit.
 void focus(const EngineState& state, Edit& edit);
 }  // namespace edits

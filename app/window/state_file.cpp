@@ -9,9 +9,17 @@ namespace kd {
 
 namespace {
 
+Json json_of(const OracleReading& oracle) {
+    return {{"verdict", name_of(oracle.judged.verdict)},
+            {"triangle", oracle.judged.exact.triangle},
+            {"t", oracle.judged.exact.t},
+            {"ulps", oracle.judged.ulps}};
+}
+
 Json json_of(const std::optional<PixelReading>& reading) {
     if (!reading) return nullptr;
     Json result{{"x", reading->pixel.x}, {"y", reading->pixel.y}, {"scale", reading->scale}};
+    if (reading->oracle) result["oracle"] = json_of(*reading->oracle);
     for (std::size_t p = 0; p < pass_count; ++p) {
         const PassReading& ray = reading->passes[p];
         if (!ray.traced) continue;

@@ -20,6 +20,7 @@
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/io/tables.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -298,6 +299,7 @@ void WindowLoop::carry_out(Action action) {
         case Action::export_window: window_export_ = true; break;  // when the frame is drawn
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
+        case Action::copy_ray: copy_ray(); break;
         default: write_files(action);
     }
 }
@@ -308,6 +310,14 @@ void WindowLoop::copy_camera() {
     const Camera camera = to_scene_units(state.world->scene(), state.camera);
     glfwSetClipboardString(window_.handle(), camera_text(camera).c_str());
     engine_->say(false, "copied the camera");
+}
+
+void WindowLoop::copy_ray() {
+    const EngineState& state = engine_->state();
+    const std::optional<PixelReading>& reading = state.pinned ? state.pinned : state.hovered;
+    if (!reading || !reading->oracle) return;
+    glfwSetClipboardString(window_.handle(), rays_csv({&reading->oracle->ray, 1}).c_str());
+    engine_->say(false, "copied the ray, as a table that kdscope trace --rays reads");
 }
 
 void WindowLoop::paste_camera() {

@@ -50,6 +50,7 @@ class WindowLoop {
     void apply_edit();
     void carry_out(Action action);
     void copy_camera();
+    void copy_ray();
     void paste_camera();
     void write_files(Action action);
     void fetch_exports();

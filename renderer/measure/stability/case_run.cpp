@@ -20,22 +20,6 @@ std::uint64_t seed_of(std::string_view id, unsigned seed) {
     return mixed;
 }
 
-const char* name_of(HitFault fault) {
-    switch (fault) {
-        case HitFault::missed: return "missed";
-        case HitFault::false_hit: return "false hit";
-        case HitFault::wrong_triangle: return "wrong triangle";
-        case HitFault::wrong_t: return "wrong t";
-        case HitFault::none: break;
-    }
-    return "right";
-}
-
-std::string exact_text(const f64::Hit& hit) {
-    if (hit.triangle < 0) return "no hit";
-    return fmt::format("triangle {} t {:a} u {:a} v {:a}", hit.triangle, hit.t, hit.u, hit.v);
-}
-
 }  // namespace
 
 CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
@@ -142,10 +126,12 @@ void CaseRun::judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& 
                           const std::vector<f64::Hit>& exact, const Expectation& expectation, StabilityRow& r) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const HitError error = expectation.against_double->judge(found[i], exact[i]);
-        if (std::isfinite(error.ulps)) r.worst_ulp = std::max(r.worst_ulp, error.ulps);
-        if (error.fault == HitFault::none) continue;
+        const bool same_place = error.verdict == HitVerdict::agrees || error.verdict == HitVerdict::wrong_t ||
+                                error.ulps <= expectation.against_double->tie_ulps;
+        if (same_place && std::isfinite(error.ulps)) r.worst_ulp = std::max(r.worst_ulp, error.ulps);
+        if (!is_wrong(error.verdict)) continue;
         fail(r,
-             fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what, name_of(error.fault),
+             fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what, name_of(error.verdict),
                          error.ulps, kd::exact_text(rays[i]), exact_text(exact[i]), kd::exact_text(found[i])));
     }
 }
