@@ -31,7 +31,8 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// A procedural scene ("ball:9000"), a .gltf or .glb file, or the name of a scene that comes with the program.
+/// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a scene
+/// that comes with the program.
 /// InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
 

@@ -15,6 +15,17 @@ enum class Corner { top_left, top_right, bottom_left, bottom_right };
 /// What a drag does: turn the eye about the target, or the view about the eye.
 enum class CameraStyle { orbit, fly };
 
+/// What a person looks at in STABILITY.
+struct StabilityView {
+    std::string id = "T16";  // the case
+    std::string filter;      // of the list
+    bool charts = false;     // rather than verdicts
+    bool all_traversals = true;
+    int row = -1;              // of the verdicts whose reason is shown; none below 0
+    std::string scene_before;  // that a case's scene took the place of
+    std::optional<Camera> camera_before;
+};
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
@@ -29,6 +40,8 @@ struct WindowSettings {
     std::string heatmap = "nodes";  // the map that Heat goes back to from Divergence
     std::string folder = ".";       // of exported files; "~" stands for the home folder
     float fly_speed = 1;            // times the scene's size per 4 seconds
+    std::string bottom = "TIME";    // the panel shown at the bottom
+    StabilityView stability;
 };
 
 enum class Action {
@@ -41,6 +54,9 @@ enum class Action {
     export_json,
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
+    run_case,      // of STABILITY
+    run_sweep,
+    cancel_stability,
 };
 
 struct Edit {
@@ -67,6 +83,11 @@ void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
 void choose_scene(Edit& edit, const std::string& scene);
+/// STABILITY at the bottom, or TIME again.
+void switch_bottom(Edit& edit);
+/// A scene of the case chosen in STABILITY; the one before it is kept in mind.
+void show_stress(Edit& edit, const std::string& scene);
+void leave_stress(Edit& edit);
 /// `build` with the rules that the paper's text gives; its costs have no values there.
 [[nodiscard]] BuildConfig papers_rules(BuildConfig build);
 void next_traversal(Edit& edit);

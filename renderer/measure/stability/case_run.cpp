@@ -6,19 +6,13 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/validate.h"
+#include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 
 namespace kd {
 
 namespace {
-
-/// The same rays for a case whatever else runs.
-std::uint64_t seed_of(std::string_view id, unsigned seed) {
-    std::uint64_t mixed = seed;
-    for (const char c : id) mixed = mixed * 131 + std::uint64_t(c);
-    return mixed;
-}
 
 const char* name_of(HitFault fault) {
     switch (fault) {
@@ -39,9 +33,10 @@ std::string exact_text(const f64::Hit& hit) {
 }  // namespace
 
 CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
-                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop)
-    : info_(info), config_(config), machines_(machines), stop_(std::move(stop)),
-      random_(seed_of(info.id, config.seed)) {}
+                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop,
+                 std::function<void(const std::string&)> tell)
+    : info_(info), config_(config), machines_(machines), stop_(std::move(stop)), tell_(std::move(tell)),
+      random_(case_seed(info.id, config.seed)) {}
 
 std::size_t CaseRun::rays(std::size_t full) const {
     return config_.long_run ? full : std::max(full / 10, std::min<std::size_t>(full, 1000));
@@ -90,6 +85,7 @@ void CaseRun::each(const Subject& subject,
             const auto& wanted = config_.traversals;
             if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
             check_stop();
+            if (tell_) tell_(fmt::format("{}, {}", machine->tracer(), traversal.name));
             TraceConfig trace;
             trace.traversal = traversal.id;
             trace.rules = config_.rules;
