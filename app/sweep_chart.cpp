@@ -14,7 +14,7 @@ namespace {
 
 std::string plain_text(double value) {
     const double size = std::abs(value);
-    return size == 0 || (size >= 1e-3 && size < 1e4) ? fmt::format("{:g}", value) : number_text(value);
+    return size == 0 || (size >= 1e-3 && size < 1e4) ? fmt::format("{:.4g}", value) : number_text(value);
 }
 
 std::string percent_of(double share) { return fmt::format("{:.3g} %", 100 * share); }

@@ -46,6 +46,7 @@ void draw_list(const EngineState& state, StabilityView& view) {
             view.id = info.id;
             view.row = -1;
         }
+        if (view.id == info.id && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
         Places::note(info.id);
         widgets::hint(info.construction);
         if (const ImU32 colour = verdict_colour(state, info.id)) {
@@ -65,11 +66,10 @@ void draw_scene_buttons(const StabilityCase& info, float width, Edit& edit) {
                         true, width))
         edits::show_stress(edit, fmt::format("{}{}", stress_prefix, info.id));
     ImGui::SameLine();
-    const std::string label = fmt::format("back to {}###back", before.empty() ? Session{}.scene : before);
+    const std::string label = fmt::format("back to {}", before.empty() ? Session{}.scene : before);
     const bool back = widgets::button(
         label.c_str(),
         away ? "The scene that was shown before, with its camera." : "The picture shows no case's scene now.", away);
-    Places::note("back");
     if (back) edits::leave_stress(edit);
 }
 
@@ -166,7 +166,7 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
         draw();
         ImGui::EndChild();
     };
-    column("list", theme::px(208), [&] { draw_list(state, view); });
+    column("list", theme::px(236), [&] { draw_list(state, view); });
     ImGui::SameLine(0, gap);
     column("case", theme::px(296), [&] { draw_case(state, info, edit); });
     ImGui::SameLine(0, gap);

@@ -46,8 +46,8 @@ void draw_verdict_row(const StabilityRow& row, int index, StabilityView& view) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.traversal.c_str());
     const std::string ulp = row.worst_ulp > 0 ? number_text(row.worst_ulp) : "–";
-    for (const std::string& text :
-         {number_text(double(row.n)), number_text(double(row.mismatches)), fmt::format("{:.1e}", row.upper95), ulp}) {
+    for (const std::string& text : {number_text(double(row.n)), number_text(double(row.mismatches)),
+                                    fmt::format("{:.2g} %", 100 * row.upper95), ulp}) {
         ImGui::TableNextColumn();
         right_aligned(text);
     }
@@ -63,10 +63,18 @@ void draw_verdict_table(const StabilityReport& report, float height, StabilityVi
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("verdicts", 7, flags, {0, height})) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    for (const char* title : {"tracer", "traversal", "rays", "mismatches", "at most (95 %)", "worst ulp", "verdict"})
-        ImGui::TableSetupColumn(title);
+    ImGui::TableNextRow();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
-    ImGui::TableHeadersRow();
+    for (const char* title : {"tracer", "traversal"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(title);
+    }
+    for (const char* title : {"rays", "mismatches", "at most (95 %)", "worst ulp"}) {
+        ImGui::TableNextColumn();
+        right_aligned(title);
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("verdict");
     ImGui::PopStyleColor();
     for (std::size_t i = 0; i < report.rows.size(); ++i) draw_verdict_row(report.rows[i], int(i), view);
     ImGui::EndTable();

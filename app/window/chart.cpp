@@ -21,8 +21,8 @@ struct Look {
 
 Look look_of(Ink ink) {
     switch (ink) {
-        case Ink::gpu: return {theme::gpu, 3.5f, 5};
-        case Ink::cpu: return {theme::cpu, 1.5f, 3};
+        case Ink::gpu: return {theme::gpu, 5, 5};
+        case Ink::cpu: return {theme::cpu, 2, 3};
         case Ink::reference: break;
     }
     return {theme::text, 1, 3};

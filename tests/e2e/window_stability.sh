@@ -8,7 +8,7 @@ small=$(value picture_area.3)
 press y
 wait_for '^bottom=STABILITY$'
 holds "$(value picture_area.3) < $small - 100" || fail "no room was made"
-for label in filter run sweep "show scene" back verdicts charts "all traversals"; do
+for label in filter run sweep "show scene" "back to ball:9000" verdicts charts "all traversals"; do
     [[ -n $(place "STABILITY/$label") ]] || fail "'$label' is not to be seen at $SCREEN"
 done
 
@@ -55,7 +55,7 @@ wait_for '^settings.scene=stress:T16=0.1$'
 drag_slider "STABILITY/scene at" 0.95 0.02
 wait_for '^settings.scene=stress:T16=1e-09$'
 see_picture near.png
-click_on "STABILITY/back"
+click_on "STABILITY/back to ball:300"
 wait_for '^settings.scene=ball:300$'
 see_picture again.png
 holds "$(difference ball.png again.png) < 0.002" || fail "another picture came back"

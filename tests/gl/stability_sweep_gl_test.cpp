@@ -179,7 +179,6 @@ TEST(StressScenes, EveryCaseHasOneOrSaysThatItHasNone) {
             EXPECT_EQ(scene->name, name);
             ++scenes;
         });
-        EXPECT_EQ(refused.empty(), has_scene(info.id)) << refused;
         EXPECT_TRUE(refused.empty() || holds(refused, name + ": this case traces no scene")) << refused;
     }
     EXPECT_GT(scenes, 45);

@@ -54,11 +54,6 @@ double value_for(const Sweep& sweep, std::string_view name, std::string_view tex
 
 std::string stress_name(std::string_view id, double value) { return fmt::format("{}{}={}", stress_prefix, id, value); }
 
-bool has_scene(std::string_view id) {
-    const auto found = std::ranges::find(stability_cases(), id, &StabilityCase::id);
-    return found != stability_cases().end() && first_scene(*found, 1).has_value();
-}
-
 std::optional<FlatScene> make_stress_scene(std::string_view name, unsigned seed) {
     if (!name.starts_with(stress_prefix)) return std::nullopt;
     const std::string_view rest = name.substr(stress_prefix.size());

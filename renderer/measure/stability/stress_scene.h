@@ -19,7 +19,4 @@ inline constexpr std::string_view stress_prefix = "stress:";
 /// "stress:T25=0.0001"; reads back as the same value.
 [[nodiscard]] std::string stress_name(std::string_view id, double value);
 
-/// Whether the case makes a scene at all.
-[[nodiscard]] bool has_scene(std::string_view id);
-
 }  // namespace kd
