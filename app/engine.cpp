@@ -79,6 +79,30 @@ void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<Pixe
     read_probes();
 }
 
+void Engine::run_case(const std::string& id, bool all_traversals) {
+    StabilityConfig config;
+    config.cases = {id};
+    const Session& s = state_.session;
+    config.rules = s.trace.rules;
+    if (!all_traversals && s.trace.traversal != Traversal::naive)
+        config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_case(config);
+}
+
+void Engine::run_sweep(const std::string& id) {
+    const Session& s = state_.session;
+    SweepConfig config;
+    config.id = id;
+    if (s.trace.traversal != Traversal::naive) config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_sweep(config);
+}
+
 void Engine::note_input() {
     last_input_ = now();
     stop_duel();

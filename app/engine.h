@@ -43,6 +43,12 @@ class Engine {
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
     void cancel_build();
+    /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
+    /// rules; what ran before is dropped.
+    void run_case(const std::string& id, bool all_traversals);
+    /// The same with its sweep, by the session's traversal.
+    void run_sweep(const std::string& id);
+    void cancel_stability() { stability_.cancel(); }
     /// A person did something: no duel for a while.
     void note_input();
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
@@ -106,6 +112,7 @@ class Engine {
     bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
+    StabilityBench stability_{mailbox_, state_.stability};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

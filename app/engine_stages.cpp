@@ -282,6 +282,7 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (state_.stability.active) return;  // it takes all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);

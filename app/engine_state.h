@@ -10,6 +10,7 @@
 
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
+#include "app/engine_stability.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
@@ -98,6 +99,7 @@ struct EngineState {
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
+    StabilityState stability;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

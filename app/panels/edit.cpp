@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/window/camera_moves.h"
+#include "renderer/measure/stability/stress_scene.h"
 #include "renderer/trace/traversal.h"
 #include "viz/colormap.h"
 
@@ -99,6 +100,26 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
     edit.window.pinned.reset();
+}
+
+void switch_bottom(Edit& edit) {
+    std::string& bottom = edit.window.bottom;
+    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+}
+
+void show_stress(Edit& edit, const std::string& scene) {
+    StabilityView& view = edit.window.stability;
+    if (!edit.session.scene.starts_with(stress_prefix)) {
+        view.scene_before = edit.session.scene;
+        view.camera_before = edit.session.camera;
+    }
+    if (edit.session.scene != scene) choose_scene(edit, scene);
+}
+
+void leave_stress(Edit& edit) {
+    const StabilityView& view = edit.window.stability;
+    choose_scene(edit, view.scene_before.empty() ? Session{}.scene : view.scene_before);
+    edit.session.camera = view.camera_before;
 }
 
 BuildConfig papers_rules(BuildConfig build) {

@@ -78,6 +78,10 @@ void draw_modes(Edit& edit) {
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
+    ImGui::SameLine(0, theme::px(12));
+    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom != "TIME",
+                         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
+        edits::switch_bottom(edit);
 }
 
 std::string machines_text(const EngineState& state) {

@@ -54,6 +54,7 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::toggle_divergence(e); }},
     {GLFW_KEY_S, plain, "S", see, "splits on or off",
      [](State, Edit& e) { e.session.view.overlay.show = !e.session.view.overlay.show; }},
+    {GLFW_KEY_Y, plain, "Y", see, "stability cases, or times", [](State, Edit& e) { edits::switch_bottom(e); }},
     {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits one level less deep", [](State, Edit& e) { change_depth(e, -1); }},
     {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
     {GLFW_KEY_M, plain, "M", see, "next map", [](State, Edit& e) { edits::next_map(e); }},
