@@ -54,6 +54,7 @@ std::string environment_list() {
                                      {"KDSCOPE_ASSETS", "Folder searched first for scenes that come with the program."},
                                      {"KDSCOPE_FONTS", "Folder searched first for fonts."},
                                      {"KD_SHADER_DIR", "Folder to read shaders from, instead of those built in."},
+                                     {"KDSCOPE_FAULT", "Faults of OpenGL to order, for tests: texels:N, lost:N, ..."},
                                      {"KD_GL_DEBUG", "1: Errors of OpenGL come with the driver's own words."}});
 }
 

@@ -178,7 +178,7 @@ void Engine::note_gl(const GlStatus& gl) {
     const GlStatus before = std::exchange(state_.gl, gl);
     if (gl.losses > before.losses && gl.available()) say(true, "the GPU was reset; its context was made anew");
     if (!gl.fails || before.fails) return;
-    say(true, gl.unavailable);
+    say(true, gl.unavailable + " (the CPU traces now)");
     state_.messages.back().stays = true;
 }
 

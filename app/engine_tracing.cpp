@@ -53,7 +53,7 @@ void Tracing::replace_context(const ContextLost& lost) {
         return;
     }
     status_.known = status_.fails = true;
-    status_.unavailable = std::string(lost.what()) + ", twice within 10 s; the CPU goes on";
+    status_.unavailable = std::string(lost.what()) + ", twice within 10 s";
     throw ContextError(status_.unavailable);
 }
 

@@ -22,7 +22,7 @@ struct Faults {
     int losses = 0;                                 // contexts still to be lost
     int draws = 0;                                  // in this context
     bool out_of_memory = false;                     // to be reported by the next glGetError
-    bool loses = false;                             // this context
+    bool lost = false;                              // this context
 };
 
 Faults& faults() {
@@ -78,8 +78,12 @@ void APIENTRY draw_arrays(GLenum mode, GLint first, GLsizei count) {
 }
 
 GLenum APIENTRY reset_status() {
-    return faults().loses && faults().draws >= draws_before_loss ? GLenum(GL_GUILTY_CONTEXT_RESET)
-                                                                 : GLenum(GL_NO_ERROR);
+    Faults& f = faults();
+    if (!f.lost && f.losses > 0 && f.draws >= draws_before_loss) {
+        f.lost = true;
+        --f.losses;
+    }
+    return f.lost ? GLenum(GL_GUILTY_CONTEXT_RESET) : GLenum(GL_NO_ERROR);
 }
 
 }  // namespace
@@ -97,8 +101,7 @@ void inject_faults(GlApi& gl) {
     f.memory = number_of(asked, "memory");
     f.draws = 0;
     f.out_of_memory = false;
-    f.loses = f.losses > 0;
-    if (f.loses) --f.losses;
+    f.lost = false;
     gl.GetIntegerv = get_integer;
     gl.BufferData = buffer_data;
     gl.TexStorage2D = texture_storage;
