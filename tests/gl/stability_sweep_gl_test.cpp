@@ -42,6 +42,7 @@ TEST(Sweeps, AreWellFormed) {
         EXPECT_NE(std::ranges::find(stability_cases(), sweep.id, &StabilityCase::id), stability_cases().end())
             << sweep.id;
         EXPECT_FALSE(sweep.parameter.empty()) << sweep.id;
+        EXPECT_LE(sweep.parameter.size() + sweep.unit.size(), 45u) << sweep.id << ": too long for an axis";
         ASSERT_GE(sweep.values.size(), 5u) << sweep.id;
         EXPECT_EQ(std::ranges::adjacent_find(sweep.values, std::ranges::greater_equal{}), sweep.values.end())
             << sweep.id << " does not ascend";

@@ -226,7 +226,7 @@ StabilityCase case_T10() {
 
 Sweep sweep_T10() {
     return {"T10",
-            "distance of the rays from the planes",
+            "distance from the planes",
             "cubes",
             true,
             {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
@@ -249,8 +249,8 @@ StabilityCase case_T11() {
 
 Sweep sweep_T11() {
     return {"T11",
-            "size of the two small components, which are negative",
-            "of the large one",
+            "other components, negative",
+            "of the largest",
             true,
             {1e-45, 1e-40, 1e-35, 1e-30, 1e-25, 1e-20, 1e-15, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2},
             [](double tilt, std::size_t n, Random& random) {
@@ -274,7 +274,7 @@ StabilityCase case_T12() {
 
 Sweep sweep_T12() {
     return {"T12",
-            "distance of the rays from the corners",
+            "distance from the corners",
             "cubes",
             true,
             {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},

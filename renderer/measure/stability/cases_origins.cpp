@@ -163,7 +163,7 @@ StabilityCase case_T32() {
 
 Sweep sweep_T32() {
     return {"T32",
-            "distance of the origins from the plane",
+            "distance from the plane",
             "cubes",
             true,
             {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
@@ -212,7 +212,7 @@ StabilityCase case_T57() {
 
 Sweep sweep_T57() {
     return {"T57",
-            "height of the eyes above a triangle",
+            "height above the triangle",
             "radii",
             true,
             {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},

@@ -211,7 +211,7 @@ StabilityCase case_T18() {
 
 Sweep sweep_T18() {
     return {"T18",
-            "distance of the sphere from the origin",
+            "distance from the origin",
             "radii",
             true,
             {1, 10, 100, 1e3, 1e4, 1e5, 3e5, 1e6},

@@ -74,7 +74,7 @@ StabilityCase case_T15() {
 
 Sweep sweep_T15() {
     return {"T15",
-            "distance of the aim from the edge",
+            "distance from the edge",
             "radii",
             true,
             {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
@@ -102,7 +102,7 @@ StabilityCase case_T16() {
 
 Sweep sweep_T16() {
     return {"T16",
-            "distance of the aim from the vertex",
+            "distance from the vertex",
             "radii",
             true,
             {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
