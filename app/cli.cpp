@@ -40,6 +40,8 @@ std::string scene_list() {
         else
             entries.push_back({std::string(scene.name), std::string(scene.summary)});
     }
+    entries.push_back({"stress:CASE[=VALUE]",
+                       "The scene of a stability case (`kdscope stability --list`), at a value of its sweep."});
     for (const auto& file : shipped_scenes())
         entries.push_back({file.filename().string(), "A glTF scene that comes with the program."});
     entries.push_back({"FILE.gltf, FILE.glb", "Any glTF 2.0 file."});

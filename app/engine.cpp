@@ -27,7 +27,7 @@ bool same_frame(const Session& a, const Session& b) {
 Engine::Engine(const Session& start, EngineOptions options)
     : options_(std::move(options)), mailbox_(options_.wake), tracing_(std::make_unique<Tracing>(options_.open_gl)),
       loader_(Worker::Priority::low), builder_(Worker::Priority::low), painter_(Worker::Priority::low),
-      tracer_(Worker::Priority::low, [this] { tracing_.reset(); }) {
+      tracer_(Worker::Priority::low, [this] { tracing_.reset(); }), judger_(Worker::Priority::low) {
     state_.session = start;
     if (start.camera && !is_valid(*start.camera)) {
         state_.session.camera.reset();
@@ -79,6 +79,30 @@ void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<Pixe
     read_probes();
 }
 
+void Engine::run_case(const std::string& id, bool all_traversals) {
+    StabilityConfig config;
+    config.cases = {id};
+    const Session& s = state_.session;
+    config.rules = s.trace.rules;
+    if (!all_traversals && s.trace.traversal != Traversal::naive)
+        config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_case(config);
+}
+
+void Engine::run_sweep(const std::string& id) {
+    const Session& s = state_.session;
+    SweepConfig config;
+    config.id = id;
+    if (s.trace.traversal != Traversal::naive) config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_sweep(config);
+}
+
 void Engine::note_input() {
     last_input_ = now();
     stop_duel();
@@ -98,6 +122,7 @@ bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
+    if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
     if (!duelling_) start_duel();
     return news;
@@ -121,6 +146,8 @@ void Engine::read_probes() {
     const TracedFrame& shown = state_.picture->traced;
     if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
     if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
+    for (auto* reading : {&state_.hovered, &state_.pinned})
+        if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
     const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
     if (!probe || !state_.session.view.overlay.show) return;
     const int width = state_.session.width;

@@ -2,6 +2,8 @@
 //
 //   set_session() -> what changed -> scene -> tree -> frame -> picture
 //
+// Maps that compare with the oracle have a stage more, between frame and picture.
+//
 // Each arrow is a background thread; a change redoes the work from where it enters, and until its result is there the
 // previous one stays. All member functions are called on one thread, the owner's.
 #pragma once
@@ -12,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "app/engine_judging.h"
 #include "app/engine_mailbox.h"
 #include "app/engine_paint.h"
 #include "app/engine_state.h"
@@ -40,6 +43,12 @@ class Engine {
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
     void cancel_build();
+    /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
+    /// rules; what ran before is dropped.
+    void run_case(const std::string& id, bool all_traversals);
+    /// The same with its sweep, by the session's traversal.
+    void run_sweep(const std::string& id);
+    void cancel_stability() { stability_.cancel(); }
     /// A person did something: no duel for a while.
     void note_input();
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
@@ -66,7 +75,10 @@ class Engine {
     void start_trace();
     void note_gl(const GlStatus& gl);
     void receive(TracedFrame traced);
+    void start_judging();
+    void receive_judged(const TracedFrame& judged);
     void start_paint();
+    void paint_now(const TracedFrame& traced);
     void paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work);
     void show(std::shared_ptr<const Picture> picture, std::uint64_t ticket);
     void fail_paint(const std::string& why, const ViewConfig& view);
@@ -88,17 +100,22 @@ class Engine {
     std::uint64_t paint_ticket_ = 0;      // of the painting asked for last
     std::uint64_t shown_ticket_ = 0;      // of the picture shown
     std::uint64_t trace_ticket_ = 0;      // of the trace started last
-    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0;  // written by the threads at work
-    TraceRequest duel_failed_;                                    // its world and configuration cannot be timed
-    std::uint64_t duel_of_ = 0;                                   // trace_generation_ that the rounds belong to
+    std::uint64_t judge_ticket_ = 0;      // of the comparison started last
+    std::shared_ptr<const Frame> judging_frame_;
+    Pass judging_rays_ = Pass::rt_prim;                                                // of it, that are compared
+    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0;  // written by the threads at work
+    TraceRequest duel_failed_;   // its world and configuration cannot be timed
+    std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
     int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;
     bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
-    std::unique_ptr<Tracing> tracing_;                       // lives and dies on tracer_'s thread
-    Worker loader_, builder_, painter_, sketcher_, tracer_;  // last: joined before what their jobs use goes
+    StabilityBench stability_{mailbox_, state_.stability};
+    std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
+    Judging judging_;                                                 // judger_'s alone
+    Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes
 };
 
 }  // namespace kd

@@ -12,9 +12,6 @@ namespace {
 /// Lines on a preview are drawn at no less than half of the picture's resolution: coarser ones could not be read.
 constexpr int coarsest_lines = 2;
 
-/// Of a sketch: every so many pixels along both sides.
-constexpr int sketch_step = 4;
-
 template <class T>
 Image<T> thin_out(const Image<T>& image) {
     Image<T> result((image.width + sketch_step - 1) / sketch_step, (image.height + sketch_step - 1) / sketch_step);
@@ -36,6 +33,14 @@ TracedFrame thin_out(const TracedFrame& traced, const ViewConfig& view) {
     }
     TracedFrame result = traced;
     result.frame = std::move(frame);
+    if (traced.judged && traced.judged->step == 1) {
+        auto judged = std::make_shared<JudgedLayer>();
+        judged->rays = traced.judged->rays;
+        judged->step = sketch_step;
+        judged->hits = thin_out(traced.judged->hits);
+        judged->tally();
+        result.judged = std::move(judged);
+    }
     result.scale *= sketch_step;
     return result;
 }
@@ -73,6 +78,11 @@ Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, cons
     return image;
 }
 
+/// For the rays that the view compares, if it does.
+const JudgedLayer* judged_of(const PaintRequest& request) {
+    return is_judged_for(request.traced, request.view, false) ? request.traced.judged.get() : nullptr;
+}
+
 MapMeaning meaning_of(MapView view) {
     MapMeaning meaning{{}, std::move(view.summary), count_categories(view.map)};
     view.map.values = {};
@@ -84,7 +94,7 @@ MapMeaning meaning_of(MapView view) {
 
 Picture paint(const PaintRequest& request) {
     Picture picture;
-    std::optional<MapView> map = view_map(*request.traced.frame, request.view);
+    std::optional<MapView> map = view_map(*request.traced.frame, request.view, judged_of(request));
     picture.image = paint_image(request.traced, request.view, map);
     picture.view = request.view;
     if (map) picture.map = meaning_of(std::move(*map));

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/trace/frame.h"
+#include "renderer/trace/judged_layer.h"
 
 namespace kd {
 
@@ -21,13 +22,31 @@ struct PassReading {
     float distance = 0;  // hit.t in scene units
 };
 
+/// What the oracle says of the ray of a pixel; lengths in scene units.
+struct OracleReading {
+    Pass rays = Pass::rt_prim;
+    JudgedHit judged;
+    Ray ray;
+};
+
 struct PixelReading {
     PixelPosition pixel;  // in the full picture
     int scale = 1;        // 1 = exactly this pixel; 8 = the preview's pixel that covers it
     std::array<PassReading, pass_count> passes;
+    std::optional<OracleReading> oracle;  // where the frame was compared and this pixel has such a ray
 
     [[nodiscard]] const PassReading& primary() const { return passes[0]; }
 };
+
+struct TracedFrame;
+
+/// What `traced`, if it was judged whole, says of a pixel of its frame.
+[[nodiscard]] std::optional<OracleReading> read_oracle(const TracedFrame& traced, PixelPosition pixel);
+
+/// The wrong pixel after `from` in reading order, or before it, going round; the first or last without `from`. Nothing
+/// where none is known to be wrong.
+[[nodiscard]] std::optional<PixelPosition> next_wrong_pixel(const JudgedLayer& judged,
+                                                            std::optional<PixelPosition> from, bool backwards);
 
 /// Nothing where the pixel lies outside. `scale` is that of the frame, a preview where above 1.
 [[nodiscard]] std::optional<PixelReading> read_pixel(const Frame& frame, PixelPosition pixel, int scale);

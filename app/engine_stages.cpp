@@ -146,6 +146,8 @@ void Engine::start_trace() {
     state_.camera = camera_in_use();
     state_.tracing = {true, 0};
     trace_fraction_ = 0;
+    judger_.cancel();
+    state_.judging = {};
     duelling_ = state_.duel.running = false;
     tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
         std::string error;
@@ -185,19 +187,68 @@ void Engine::receive(TracedFrame traced) {
     start_paint();
 }
 
+void Engine::start_judging() {
+    const Pass rays = state_.session.view.map.rays;
+    if (state_.judging.active && judging_frame_ == traced_.frame && judging_rays_ == rays) return;
+    judging_frame_ = traced_.frame;
+    judging_rays_ = rays;
+    state_.judging = {true, 0};
+    judge_fraction_ = 0;
+    judger_.submit([this, traced = traced_, view = state_.session.view, threads = state_.session.threads,
+                    ticket = ++judge_ticket_](const std::stop_token& stop) {
+        std::string error;
+        const auto publish = [&](std::shared_ptr<const JudgedLayer> judged) {
+            TracedFrame done = traced;
+            done.judged = std::move(judged);
+            mailbox_.post([this, done = std::move(done)] { receive_judged(done); });
+        };
+        try {
+            judging_.judge(traced, view.map.rays, threads, stop, publish,
+                           [this](float fraction) { judge_fraction_ = fraction; });
+        } catch (const std::exception& e) {
+            error = e.what();
+        }
+        mailbox_.post([this, error, ticket, view] {
+            if (ticket == judge_ticket_) state_.judging = {};
+            if (!error.empty()) fail_paint(error, view);
+        });
+    });
+}
+
+void Engine::receive_judged(const TracedFrame& judged) {
+    if (traced_.frame == judged.frame) traced_ = judged;
+    const ViewConfig& view = state_.session.view;
+    if (needs_oracle(view) && is_judged_for(judged, view, false)) paint_now(judged);
+}
+
 void Engine::start_paint() {
     if (!traced_.frame) return;
-    PaintRequest request{traced_, state_.session.view, 0};
-    const bool answers = traced_.generation >= trace_generation_ && traced_.generation > 0;
-    request.generation = answers ? state_.generation : traced_.generation;
+    const ViewConfig& view = state_.session.view;
+    // Painting refuses, and says why, what cannot be judged.
+    if (has_nearest_hits(view.map.rays) && !is_judged_for(traced_, view, true)) {
+        start_judging();
+        if (!is_judged_for(traced_, view, false)) return;
+    } else {
+        judger_.cancel();
+        state_.judging = {};
+    }
+    paint_now(traced_);
+}
+
+void Engine::paint_now(const TracedFrame& traced) {
+    PaintRequest request{traced, state_.session.view, 0};
+    const bool answers = traced.generation >= trace_generation_ && traced.generation > 0;
+    request.generation = answers ? state_.generation : traced.generation;
     const std::uint64_t ticket = ++paint_ticket_;
-    const bool preview = traced_.scale > 1;
-    if (preview || paint_ms_ > longest_paint_ms) {
+    const bool preview = traced.scale > 1;
+    const bool all_judged = is_judged_for(traced, request.view, true);
+    if (preview || !all_judged || paint_ms_ > longest_paint_ms) {
         sketcher_.submit([this, request, preview, ticket](const std::stop_token&) {
             paint_and_show(ticket, request.view, [&] { return preview ? paint(request) : paint_sketch(request); });
         });
     }
-    if (preview) return painter_.cancel();  // the whole of what was there before is wanted no more
+    // The whole of what was there before is wanted no more.
+    if (preview || !all_judged) return painter_.cancel();
     painter_.submit([this, request, ticket](const std::stop_token&) {
         paint_ms_ = wall_ms([&] { paint_and_show(ticket, request.view, [&] { return paint(request); }); });
     });
@@ -231,6 +282,7 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (state_.stability.active) return;  // it takes all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);

@@ -10,11 +10,13 @@
 
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
+#include "app/engine_stability.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
+#include "renderer/trace/judged_layer.h"
 #include "viz/figure.h"
 #include "viz/unfinished.h"
 
@@ -24,6 +26,7 @@ namespace kd {
 struct TracedFrame {
     std::shared_ptr<const World> world;
     std::shared_ptr<const Frame> frame;
+    std::shared_ptr<const JudgedLayer> judged;  // of some or all pixels, where a map asked for it; else null
     Camera camera;
     TraceConfig config;
     TracerKind tracer = TracerKind::cpu;
@@ -35,6 +38,12 @@ struct TracedFrame {
     std::uint64_t generation = 0;  // EngineState::generation that it answers
     UnfinishedPixels unfinished;   // of the frame's own pixels
 };
+
+/// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
+[[nodiscard]] inline bool is_judged_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+    if (!needs_oracle(view)) return true;
+    return traced.judged && traced.judged->rays == view.map.rays && (!all || traced.judged->step == 1);
+}
 
 /// What the colours of a map mean.
 struct MapMeaning {
@@ -86,9 +95,11 @@ struct EngineState {
     Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
+    Progress judging;  // comparing the frame with double precision
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
+    StabilityState stability;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;
@@ -99,7 +110,12 @@ struct EngineState {
     [[nodiscard]] bool stale() const {
         return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
-    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active; }
+    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active || judging.active; }
+    /// What the oracle says of every pixel of the picture shown; null where it does not, or not yet.
+    [[nodiscard]] const JudgedLayer* judged() const {
+        const JudgedLayer* found = picture ? picture->traced.judged.get() : nullptr;
+        return found != nullptr && found->step == 1 && picture->traced.scale == 1 ? found : nullptr;
+    }
 };
 
 }  // namespace kd

@@ -119,8 +119,19 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
         });
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
-        publish({request.world, frame, request.camera, request.config, request.tracer, scale, time, machine.clock(),
-                 needs, omitted, request.generation, count_unfinished(*frame)});
+        publish({request.world,
+                 frame,
+                 {},
+                 request.camera,
+                 request.config,
+                 request.tracer,
+                 scale,
+                 time,
+                 machine.clock(),
+                 needs,
+                 omitted,
+                 request.generation,
+                 count_unfinished(*frame)});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }

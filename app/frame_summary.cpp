@@ -1,5 +1,6 @@
 #include "app/frame_summary.h"
 
+#include "renderer/measure/stability/stability.h"
 #include "viz/unfinished.h"
 
 namespace kd {
@@ -34,12 +35,22 @@ Json unfinished_json(const Frame& frame) {
     return json;
 }
 
+/// Counts of every verdict; the error of t among the hits that are right.
+Json judged_json(const JudgedLayer& judged) {
+    Json json{{"rays", json_key(ray_names[std::size_t(judged.rays)])}, {"compared", judged.compared()}};
+    for (std::size_t i = 0; i < verdict_count; ++i) json[json_key(verdict_names[i])] = judged.counts[i];
+    json["wrong"] = judged.wrong();
+    json["upper95"] = judged.compared() > 0 ? Json(upper_bound_95(judged.wrong(), judged.compared())) : Json(nullptr);
+    json["worst_ulp"] = judged.worst_ulps;
+    return json;
+}
+
 }  // namespace
 
 Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
     Json settings = json_of(in_scene_units(s.session, s.scene));
     settings["view"] = json_of(s.session.view);
-    return {
+    Json json{
         {"settings", settings},
         {"scene", json_of(s.scene)},
         {"tree", json_of(s.stats)},
@@ -52,6 +63,8 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"counters", counters_json(s.frame, rays)},
         {"unfinished", unfinished_json(s.frame)},
     };
+    if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
+    return json;
 }
 
 }  // namespace kd

@@ -20,9 +20,10 @@ struct FrameSummary {
     bool software_gl = false;
     std::string clock;
     const std::vector<std::string>& left_out;
+    const JudgedLayer* judged = nullptr;  // null where nothing was compared
 };
 
-/// Settings, scene, tree, machine, times, and the counters of every pass. `rays` takes as long to count as the frame to
+/// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits. `rays` takes as long to count as the frame to
 /// trace; without it the numbers of rays are left out.
 [[nodiscard]] Json summary_json(const FrameSummary& summary, const std::optional<RayCounts>& rays);
 

@@ -2,6 +2,7 @@
 
 #include "app/machine_info.h"
 #include "app/progress_line.h"
+#include "renderer/measure/frame_judge.h"
 #include "renderer/scene/needs.h"
 #include "viz/figure.h"
 
@@ -31,6 +32,12 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.renderer = tracer->renderer();
     r.clock = tracer->clock();
     r.software_gl = tracer->software_gl();
+    if (needs_oracle(s.view)) {
+        const DoubleOracle oracle(r.scene);
+        r.judged = judge_frame(oracle, {r.frame, camera, s.view.map.rays, 1, s.threads}, context.stop,
+                               show("comparing with double precision"));
+        if (!r.judged) throw Interrupted();
+    }
     return r;
 }
 
@@ -55,8 +62,10 @@ void write_picture(const std::string& path, const Rendering& r, const ViewConfig
     const std::string title = title_of(r.session.scene, view);
     const std::string caption = caption_of(facts_of(r));
     const bool bare = !legend || (!view.show_map && !view.overlay.show);
-    const Image<Rgba8> image = bare ? make_picture(r.frame, r.tree, r.scene.camera, view)
-                                    : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font);
+    const JudgedLayer* judged = r.judged ? &*r.judged : nullptr;
+    const Image<Rgba8> image =
+        bare ? make_picture(r.frame, r.tree, r.scene.camera, view, judged)
+             : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, judged);
     write_png(path, image, png_text(title, caption, in_scene_units(r.session, r.scene), view));
 }
 

@@ -1,6 +1,7 @@
 // A session carried out: scene, tree, frame, and the figure that shows them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,14 @@ struct Rendering {
     BuildReport build;
     TreeStats stats;
     Frame frame;
+    std::optional<JudgedLayer> judged;  // where the map shown asks for it
     FrameTime time;
     std::string renderer, clock;
     bool software_gl = false;
     std::vector<std::string> left_out;  // what scene and settings do not need
 };
 
-/// Loads, builds and traces with progress on the context's terminal. InputError, ContextError, Interrupted.
+/// Loads, builds, traces, and compares with the oracle where the map asks for it, with progress on the context's terminal. InputError, ContextError, Interrupted.
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
 
 /// What its figures' captions tell.

@@ -11,6 +11,7 @@
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/gltf.h"
 #include "renderer/io/printable.h"
+#include "renderer/measure/stability/stress_scene.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/scene/units.h"
 
@@ -30,6 +31,7 @@ std::string known_scenes() {
     std::string list;
     for (const ProceduralScene& scene : procedural_scenes())
         list += fmt::format("{}{}{}", list.empty() ? "" : ", ", scene.name, scene.default_size > 0 ? ":N" : "");
+    list += fmt::format(", {}CASE", stress_prefix);
     for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
     return list;
 }
@@ -72,6 +74,7 @@ Session in_scene_units(Session session, const FlatScene& scene) {
 
 FlatScene load_scene(const std::string& name, unsigned seed) {
     if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);
+    if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return std::move(*made);
     const fs::path file = scene_file(name);
     if (!names_gltf(file))
         throw InputError(
@@ -92,7 +95,7 @@ bool names_scene(const std::string& name) {
     std::error_code error;
     const std::string base = name.substr(0, name.find(':'));
     return std::ranges::any_of(procedural_scenes(), [&](const ProceduralScene& s) { return s.name == base; }) ||
-           names_gltf(name) || fs::is_regular_file(name, error);
+           name.starts_with(stress_prefix) || names_gltf(name) || fs::is_regular_file(name, error);
 }
 
 }  // namespace kd

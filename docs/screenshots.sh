@@ -77,6 +77,16 @@ small_pictures() {
     shoot gpu
     stop_window
 
+    open ball:9000 --rules as-published
+    press_all y
+    click_on "STABILITY/T16"
+    click_on "STABILITY/sweep"
+    wait_for '^stability.sweep_complete=true$' 280
+    drag_slider "STABILITY/scene at" 0.05 0.5
+    hover 600 20
+    shoot stability-sweep
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1
@@ -84,6 +94,13 @@ small_pictures() {
     shoot rooms
     press_all u
     shoot picture-alone 4
+    stop_window
+
+    open rooms --rules as-published
+    click_on "top/Oracle"
+    wait_for '^oracle.wrong=[1-9]'
+    press_all w w w
+    shoot oracle
     stop_window
 }
 

@@ -4,9 +4,11 @@
 
 namespace kd {
 
-std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view) {
+bool needs_oracle(const ViewConfig& view) { return view.show_map && needs_oracle(view.map); }
+
+std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view, const JudgedLayer* judged) {
     if (!view.show_map) return std::nullopt;
-    MapView result{compute_map(frame, view.map), {}};
+    MapView result{compute_map(frame, view.map, judged), {}};
     result.summary = summarise_map(result.map, view.heat);
     return result;
 }
@@ -22,8 +24,9 @@ Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& 
     return image;
 }
 
-Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view) {
-    return make_picture(frame, tree, camera, view, view_map(frame, view));
+Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
+                          const JudgedLayer* judged) {
+    return make_picture(frame, tree, camera, view, view_map(frame, view, judged));
 }
 
 Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map,
@@ -39,8 +42,9 @@ Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::
 }
 
 Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
-                         const std::string& title, const std::string& caption, const Font& font, int scale) {
-    const std::optional<MapView> map = view_map(frame, view);
+                         const std::string& title, const std::string& caption, const Font& font, int scale,
+                         const JudgedLayer* judged) {
+    const std::optional<MapView> map = view_map(frame, view, judged);
     return compose_figure(make_picture(frame, tree, camera, view, map), make_legend(tree, view, map, font, scale),
                           title, caption, font, scale);
 }

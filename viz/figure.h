@@ -15,15 +15,19 @@ struct MapView {
     MapSummary summary;
 };
 
-/// The map that `view` shows; nothing where it shows none. InputError as compute_map and get_colormap.
-[[nodiscard]] std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view);
+/// True where the map that `view` shows compares the rays' hits with exact ones.
+[[nodiscard]] bool needs_oracle(const ViewConfig& view);
+
+/// The map that `view` shows; nothing where it shows none. InputError and `judged` as compute_map; get_colormap.
+[[nodiscard]] std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view,
+                                              const JudgedLayer* judged = nullptr);
 
 /// The frame's colours, `map` over them, and the tree's splits over both. `camera` is the frame's.
 [[nodiscard]] Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera,
                                         const ViewConfig& view, const std::optional<MapView>& map);
-/// The same with view_map(frame, view).
+/// The same with view_map(frame, view, judged).
 [[nodiscard]] Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera,
-                                        const ViewConfig& view);
+                                        const ViewConfig& view, const JudgedLayer* judged = nullptr);
 
 /// Legends of what `view` shows, below each other; an empty image where there is nothing to explain.
 [[nodiscard]] Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map,
@@ -32,6 +36,6 @@ struct MapView {
 /// Picture, legends, title and caption in one image.
 [[nodiscard]] Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera,
                                        const ViewConfig& view, const std::string& title, const std::string& caption,
-                                       const Font& font, int scale = 1);
+                                       const Font& font, int scale = 1, const JudgedLayer* judged = nullptr);
 
 }  // namespace kd

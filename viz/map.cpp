@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -38,12 +39,35 @@ Image<float> evaluate_pixels(const Frame& frame, const MapInfo& info, Pass pass)
     return values;
 }
 
+void check_rays(const MapConfig& config) {
+    if (has_nearest_hits(config.rays)) return;
+    throw InputError(fmt::format("map '{}': {} rays stop at the first triangle found, so there is no nearest hit to "
+                                 "compare; choose primary or reflection rays",
+                                 config.map, ray_names[static_cast<std::size_t>(config.rays)]));
+}
+
+Image<float> evaluate_judged(const Frame& frame, const MapInfo& info, const JudgedLayer* judged) {
+    Image<float> values(frame.width, frame.height, std::numeric_limits<float>::quiet_NaN());
+    if (judged == nullptr) return values;
+    assert(judged->hits.width == frame.width && judged->hits.height == frame.height);
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+        const JudgedHit& hit = judged->hits.pixels[i];
+        if (hit.verdict != HitVerdict::none) values.pixels[i] = info.of_judged(hit);
+    }
+    return values;
+}
+
+Image<float> evaluate(const Frame& frame, const MapInfo& info, const MapConfig& config, const JudgedLayer* judged) {
+    if (info.needs_oracle()) return evaluate_judged(frame, info, judged);
+    return info.over_tiles() ? info.of_frame(frame, config) : evaluate_pixels(frame, info, config.rays);
+}
+
 }  // namespace
 
 std::span<const MapInfo> maps() {
     static const std::vector<MapInfo> all = [] {
         std::vector<MapInfo> joined;
-        for (const std::span<const MapInfo> family : {pixel_maps(), tile_maps()})
+        for (const std::span<const MapInfo> family : {pixel_maps(), tile_maps(), oracle_maps()})
             joined.insert(joined.end(), family.begin(), family.end());
         return joined;
     }();
@@ -55,26 +79,24 @@ const MapInfo* find_map(std::string_view name) {
     return found == maps().end() ? nullptr : &*found;
 }
 
-bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {
-    if (pass == Pass::rt_prim) return frame.colour.pixels[pixel].w != 0;
-    const RayLayer& layer = frame.layer(pass);
-    const RayCounters& c = layer.counters.pixels[pixel];
-    return (c.interior_first | c.interior_again | c.leaves | c.triangle_tests | c.restarts | c.backtracks |
-            c.stack_depth | c.exit_reason) != 0 ||
-           layer.hit.pixels[pixel].triangle >= 0;
+bool needs_oracle(const MapConfig& config) {
+    const MapInfo* info = find_map(config.map);
+    return info != nullptr && info->needs_oracle();
 }
 
-ScalarMap compute_map(const Frame& frame, const MapConfig& config) {
+ScalarMap compute_map(const Frame& frame, const MapConfig& config, const JudgedLayer* judged) {
     const MapInfo& info = get_map(config.map);
     if (info.over_tiles()) check_tile(config);
+    if (info.needs_oracle()) check_rays(config);
     ScalarMap map;
     map.title = info.title;
     map.subject = fmt::format("{} rays", ray_names[static_cast<std::size_t>(config.rays)]);
     map.unit = info.unit;
     map.integer = info.integer();
     if (info.kind == MapInfo::Kind::ratio) map.natural_range = ValueRange{0, 1};
-    map.values = info.over_tiles() ? info.of_frame(frame, config) : evaluate_pixels(frame, info, config.rays);
+    map.values = evaluate(frame, info, config, judged);
     if (info.describe != nullptr) info.describe(frame, config, map);
+    if (info.describe_judged != nullptr) info.describe_judged(judged ? *judged : JudgedLayer{}, map);
     return map;
 }
 

@@ -1,7 +1,7 @@
 // Maps: one scalar per pixel, computed from a frame. Heatmaps and divergence maps are both of this kind.
 //
-// To add a map: one entry in the table of its family, pixel_maps.cpp (one pixel at a time) or tile_maps.cpp (groups of
-// pixels).
+// To add a map: one entry in the table of its family, pixel_maps.cpp (one pixel at a time), tile_maps.cpp (groups of
+// pixels) or oracle_maps.cpp (one pixel's hit against the exact one).
 #pragma once
 
 #include <optional>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/trace/frame.h"
+#include "renderer/trace/judged_layer.h"
 
 namespace kd {
 
@@ -48,7 +49,7 @@ struct ScalarMap {
     Image<float> values;
 };
 
-/// A map of one of the families. Exactly one of `of_pixel` and `of_frame` is set.
+/// A map of one of the families. Exactly one of `of_pixel`, `of_frame` and `of_judged` is set.
 struct MapInfo {
     enum class Kind { count, ratio, length, category };
 
@@ -61,27 +62,32 @@ struct MapInfo {
     float (*of_pixel)(const RayCounters&, const Hit&) = nullptr;
     Image<float> (*of_frame)(const Frame&, const MapConfig&) = nullptr;      // of a map over tiles
     void (*describe)(const Frame&, const MapConfig&, ScalarMap&) = nullptr;  // adds facts or categories; may be null
+    float (*of_judged)(const JudgedHit&) = nullptr;  // of a compared pixel; NaN = none, infinity = broken
+    void (*describe_judged)(const JudgedLayer&, ScalarMap&) = nullptr;
 
     [[nodiscard]] bool over_tiles() const { return of_frame != nullptr; }
     /// Shares lie in 0..1, where factors mean nothing; names have no scale at all.
     [[nodiscard]] bool takes_log() const { return kind == Kind::count || kind == Kind::length; }
+    /// It needs a JudgedLayer, which takes as long to make as tracing, and more.
+    [[nodiscard]] bool needs_oracle() const { return of_judged != nullptr; }
     [[nodiscard]] bool integer() const { return kind == Kind::count || kind == Kind::category; }
 };
 
 /// The families, each a table in the file of its name.
 [[nodiscard]] std::span<const MapInfo> pixel_maps();
 [[nodiscard]] std::span<const MapInfo> tile_maps();
+[[nodiscard]] std::span<const MapInfo> oracle_maps();
 
 /// All of them, in the order in which people see them.
 [[nodiscard]] std::span<const MapInfo> maps();
 [[nodiscard]] const MapInfo* find_map(std::string_view name);
 
-/// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
-/// the pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was
-/// hit.
-[[nodiscard]] bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel);
+/// True where `config` names a map that needs the rays' hits judged.
+[[nodiscard]] bool needs_oracle(const MapConfig& config);
 
-/// InputError for an unknown name or a tile outside 4..1024 pixels.
-[[nodiscard]] ScalarMap compute_map(const Frame& frame, const MapConfig& config);
+/// InputError for an unknown name, a tile outside 4..1024 pixels, or a comparison of shadow rays, which have no nearest
+/// hit. `judged` matters only where the map needs_oracle(), which without it has no values; it is of config.rays and of as
+/// many pixels as the frame.
+[[nodiscard]] ScalarMap compute_map(const Frame& frame, const MapConfig& config, const JudgedLayer* judged = nullptr);
 
 }  // namespace kd

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
+#include <utility>
 
 #include "app/commands/commands.h"
 #include "app/counted.h"
@@ -54,8 +55,23 @@ Json json_of(const Rendering& r) {
                          .renderer = r.renderer,
                          .software_gl = r.software_gl,
                          .clock = r.clock,
-                         .left_out = r.left_out},
+                         .left_out = r.left_out,
+                         .judged = r.judged ? &*r.judged : nullptr},
                         rays);
+}
+
+/// "3 wrong of 262144: 2 missed, 1 wrong triangle".
+std::string verdict_text(const JudgedLayer& judged) {
+    std::string text =
+        fmt::format("{} wrong of {} {} rays", judged.wrong(), judged.compared(), ray_names[std::size_t(judged.rays)]);
+    char before = ':';
+    for (std::size_t i = 0; i < verdict_count; ++i) {
+        if (!is_wrong(HitVerdict(i)) || judged.counts[i] == 0) continue;
+        text += fmt::format("{} {} {}", std::exchange(before, ','), judged.counts[i], verdict_names[i]);
+    }
+    if (judged.wrong() == 0 && judged.compared() > 0)
+        text += fmt::format("; 0 of n means below 3/n = {:.2g}", 3 / double(judged.compared()));
+    return text;
 }
 
 void print(std::ostream& out, const Rendering& r) {
@@ -76,6 +92,7 @@ void print(std::ostream& out, const Rendering& r) {
         out << fmt::format("note      {}; see --map exit{}\n", unfinished_text(unfinished),
                            unfinished.rays == Pass::rt_prim ? "" : " --rays " + option_name(unfinished.rays));
     out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
+    if (r.judged) out << "oracle    " << verdict_text(*r.judged) << '\n';
 }
 
 /// Options of maps and splits need one, and some maps take none of them.
@@ -239,7 +256,8 @@ Command render_command() {
                 "  kdscope render ball:9000 -o ball.png\n"
                 "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
                 "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
-                "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n",
+                "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n"
+                "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n",
             declare};
 }
 

@@ -10,10 +10,15 @@
 #include "app/counted.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
+#include "app/output_file.h"
 #include "app/progress_line.h"
+#include "app/sweep_text.h"
 #include "app/text_table.h"
 #include "app/typed_options.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
 #include "renderer/measure/stability/stability.h"
+#include "renderer/measure/stability/sweep_run.h"
 
 namespace kd {
 
@@ -22,6 +27,7 @@ namespace {
 struct StabilityOptions : CommonOptions {
     StabilityConfig config;
     bool json = false, list = false;
+    std::string sweep, csv;  // a case; a file
 };
 
 const char* name_of(Verdict verdict) {
@@ -101,12 +107,53 @@ void print(std::ostream& out, const StabilityReport& report) {
 }
 
 void print_list(std::ostream& out) {
-    for (const StabilityCase& info : stability_cases())
+    for (const StabilityCase& info : stability_cases()) {
         out << fmt::format("{}  {}\n     {}\n     against {}; accepted: {}\n", info.id, info.title, info.construction,
                            info.oracle, info.acceptance);
+        if (const Sweep* sweep = find_sweep(info.id))
+            out << fmt::format("     sweep: {} from {:g} to {:g} {}\n", sweep->parameter, sweep->values.front(),
+                               sweep->values.back(), sweep->unit);
+    }
+}
+
+SweepConfig sweep_config(const StabilityOptions& options) {
+    const StabilityConfig whole = config_for(options);
+    SweepConfig config;
+    config.id = options.sweep;
+    if (whole.long_run) config.rays *= 10;
+    config.traversals = whole.traversals;
+    config.cpu = whole.cpu;
+    config.contexts = whole.contexts;
+    config.threads = whole.threads;
+    config.seed = whole.seed;
+    // One context is enough for a curve.
+    if (!config.contexts.empty() && !options.context) config.contexts = {ContextKind::automatic};
+    return config;
+}
+
+int run_sweep_command(const StabilityOptions& options, CommandContext& context) {
+    (void)sweep_of(options.sweep);
+    check_outputs({{"--csv", options.csv}}, {});
+    SweepReport report;
+    {
+        ProgressLine progress(context);
+        const auto show = [&](float done, const std::string& what, const SweepReport&) { progress.show(done, what); };
+        report = run_sweep(sweep_config(options), show, context.stop);
+    }
+    check_stop(context);
+    if (!options.csv.empty()) {
+        write_file(options.csv, sweep_csv(report));
+        context.out << fmt::format("wrote {} ({} rows)\n", options.csv, report.rows.size());
+    } else if (options.json)
+        context.out << json_text(sweep_json(report));
+    else
+        print(context.out, report);
+    return exit_ok;
 }
 
 int run(const CLI::App& app, const StabilityOptions& options, CommandContext& context) {
+    if (!options.csv.empty() && options.sweep.empty()) throw InputError("--csv: goes with --sweep; add --sweep T14");
+    if (!options.sweep.empty()) return run_sweep_command(options, context);
     if (options.list) {
         for (const char* option : {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules"})
             refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
@@ -135,8 +182,16 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--list", options->list, "Says what each case is and exits");
     app.add_flag("--long", options->config.long_run, "All rays of each case instead of a tenth");
     app.add_flag("--json", options->json, "JSON instead of a table");
+    CLI::Option* sweep =
+        app.add_option("--sweep", options->sweep,
+                       "Drives the parameter of a case instead: faults and errors of t by every kind of tracing")
+            ->type_name("ID")
+            ->excludes("--case")
+            ->excludes("--list");
+    app.add_option("--csv", options->csv, "The sweep as a table")->type_name("FILE")->excludes("--json");
     add_machine_options(app, *options);
     add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
+    app.get_option("--rules")->excludes(sweep);  // a sweep shows all of them
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
@@ -151,7 +206,9 @@ Command stability_command() {
         "Examples:\n"
         "  kdscope stability\n"
         "  kdscope stability --case T15,T16 --long\n"
-        "  kdscope stability --rules as-published     what the published rules lose; exits 1\n",
+        "  kdscope stability --rules as-published     what the published rules lose; exits 1\n"
+        "  kdscope stability --sweep T16              what is lost, the closer rays aim at a vertex\n"
+        "  kdscope stability --sweep T25 --csv widths.csv\n",
         declare};
 }
 

@@ -12,6 +12,7 @@
 #include "app/idle_options.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
+#include "app/trace_check.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
@@ -24,7 +25,7 @@ namespace kd {
 namespace {
 
 struct TraceOptions : CommonOptions {
-    std::string rays, output;
+    std::string rays, output, failures;
 };
 
 std::string header() {
@@ -88,14 +89,13 @@ void trace_in_steps(RayMachine& tracer, const TraceConfig& config, std::span<con
     }
 }
 
-/// The table of all tracers and traversals. What a tracer refuses is left out and told, unless it was asked for by name.
+/// The table of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told, unless it
+/// was asked for by name.
 std::string trace_all(const TraceOptions& options, const std::vector<std::unique_ptr<RayMachine>>& tracers,
-                      TraceConfig config, const FlatScene& scene, const std::vector<Ray>& asked,
-                      CommandContext& context) {
+                      TraceConfig config, const FlatScene& scene, const std::vector<Ray>& asked, TraceCheck& check,
+                      ProgressLine& progress, CommandContext& context) {
     std::string table = header();
-    std::vector<Ray> rays;
-    for (const Ray& ray : asked) rays.push_back(to_internal(scene, ray));
-    ProgressLine progress(context);
+    const std::span<const Ray> rays = check.rays();
     std::vector<Hit> hits(rays.size());
     std::vector<RayCounters> counters(rays.size());
     for (const auto& tracer : tracers)
@@ -103,6 +103,7 @@ std::string trace_all(const TraceOptions& options, const std::vector<std::unique
             config.traversal = traversal;
             try {
                 trace_in_steps(*tracer, config, rays, hits, counters, progress, context);
+                check.compare(fmt::format("{} on {}", info(traversal).name, tracer->tracer()), hits, counters);
                 for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = as_asked(scene, asked[i], hits[i]);
                 add_rows(table, info(traversal).name, tracer->tracer(), hits, counters);
             } catch (const InputError& error) {
@@ -114,20 +115,37 @@ std::string trace_all(const TraceOptions& options, const std::vector<std::unique
     return table;
 }
 
+/// What is wrong, line by line, and the rays as a file where one was asked for; the exit code.
+int report(const TraceOptions& options, const TraceCheck& check, CommandContext& context) {
+    for (const std::string& failure : check.failures()) context.err << "kdscope: " << failure << '\n';
+    if (!check.passed()) context.err << "kdscope: " << check.summary() << '\n';
+    if (check.passed() && options.output != "-") context.out << "checked: " << check.summary() << '\n';
+    if (!options.failures.empty()) {
+        const std::vector<Ray> rays = check.failed_rays();
+        write_file(options.failures, rays_csv(rays));
+        if (options.output != "-") context.out << fmt::format("wrote {} ({} rays)\n", options.failures, rays.size());
+    }
+    return check.passed() ? exit_ok : exit_check_failed;
+}
+
 int run(const CLI::App& app, const TraceOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
     note_idle(app, shared_uses(options, session, true), context);
     const bool to_file = options.output != "-";
-    if (to_file)
-        check_outputs({{"--output", options.output}},
-                      {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
-    const std::vector<Ray> rays = read_rays_csv(options.rays);
+    check_outputs({{"--output", to_file ? options.output : ""}, {"--failures", options.failures}},
+                  {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
+    const std::vector<Ray> asked = read_rays_csv(options.rays);
     require_context(options, true);
     const FlatScene scene = open_scene(options, session);
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
     check_stop(context);
     const auto tracers = wanted_tracers(options, scene, tree, context);
-    const std::string table = trace_all(options, tracers, session.trace, scene, rays, context);
+    const auto [table, check] = [&] {
+        ProgressLine progress(context);
+        TraceCheck made(scene, asked, session.threads, progress, context);
+        std::string rows = trace_all(options, tracers, session.trace, scene, asked, made, progress, context);
+        return std::pair(std::move(rows), std::move(made));
+    }();
     check_stop(context);
     if (to_file) {
         write_file(options.output, table);
@@ -135,7 +153,7 @@ int run(const CLI::App& app, const TraceOptions& options, CommandContext& contex
                                    counted(std::ranges::count(table, '\n') - 1, "row"));
     } else
         context.out << table;
-    return exit_ok;
+    return report(options, check, context);
 }
 
 CommandBody declare(CLI::App& app) {
@@ -146,6 +164,9 @@ CommandBody declare(CLI::App& app) {
         ->type_name("FILE");
     app.add_option("-o,--output", options->output, "Table to write, CSV; - is standard output")
         ->required()
+        ->type_name("FILE");
+    app.add_option("--failures", options->failures,
+                   "Also a table of the rays that some answer to is wrong, as --rays reads")
         ->type_name("FILE");
     add_machine_options(app, *options);
     const ShownDefaults everything{.traversal = "all", .tracer = "all"};
@@ -162,6 +183,8 @@ Command trace_command() {
         "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
         "exit_reason (0 miss, 1 hit, 2 step cap, 3 stack overflow, 4 invalid ray). Where nothing was hit, triangle is\n"
         "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
+        "Every answer is compared with a loop over all triangles in double precision. Wrong ones are told on standard\n"
+        "error with the ray in exact hexadecimal floats, and the exit code is 1.\n\n"
         "Examples:\n"
         "  kdscope trace ball:9000 --rays rays.csv -o hits.csv\n"
         "  kdscope trace model.gltf --rays rays.csv -o - --traversal restart --tracer cpu\n",

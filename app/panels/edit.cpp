@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/window/camera_moves.h"
+#include "renderer/measure/stability/stress_scene.h"
 #include "renderer/trace/traversal.h"
 #include "viz/colormap.h"
 
@@ -22,6 +23,12 @@ bool is_tile_map(const std::string& name) {
     return map && map->over_tiles();
 }
 
+/// What Heat stands for: a number that each pixel's rays cost, neither of tiles nor of what is right.
+bool is_heatmap(const std::string& name) {
+    const MapInfo* map = find_map(name);
+    return map && !map->over_tiles() && !map->needs_oracle();
+}
+
 /// The entry after the one called `name`, round and round.
 template <class Table>
 std::string next_name(const Table& table, const std::string& name) {
@@ -36,7 +43,7 @@ void show_beauty(Edit& edit) { edit.session.view.show_map = false; }
 
 void show_heat(Edit& edit) {
     edit.session.view.show_map = true;
-    if (is_tile_map(edit.session.view.map.map)) choose_map(edit, edit.window.heatmap);
+    if (!is_heatmap(edit.session.view.map.map)) choose_map(edit, edit.window.heatmap);
 }
 
 void show_divergence(Edit& edit) {
@@ -54,11 +61,16 @@ void toggle_divergence(Edit& edit) {
     if (edit.window.beauty) show_beauty(edit);
 }
 
+void show_oracle(Edit& edit) {
+    edit.session.view.show_map = true;
+    if (!needs_oracle(edit.session.view)) choose_map(edit, "oracle");
+}
+
 void choose_map(Edit& edit, const std::string& map) {
     ViewConfig& view = edit.session.view;
     if (view.map.map == map) return;
     view.map.map = map;
-    if (!is_tile_map(map)) edit.window.heatmap = map;
+    if (is_heatmap(map)) edit.window.heatmap = map;
     view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
     view.heat.logarithmic = edit.window.logarithmic && takes_log(edit);
 }
@@ -88,6 +100,26 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
     edit.window.pinned.reset();
+}
+
+void switch_bottom(Edit& edit) {
+    std::string& bottom = edit.window.bottom;
+    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+}
+
+void show_stress(Edit& edit, const std::string& scene) {
+    StabilityView& view = edit.window.stability;
+    if (!edit.session.scene.starts_with(stress_prefix)) {
+        view.scene_before = edit.session.scene;
+        view.camera_before = edit.session.camera;
+    }
+    if (edit.session.scene != scene) choose_scene(edit, scene);
+}
+
+void leave_stress(Edit& edit) {
+    const StabilityView& view = edit.window.stability;
+    choose_scene(edit, view.scene_before.empty() ? Session{}.scene : view.scene_before);
+    edit.session.camera = view.camera_before;
 }
 
 BuildConfig papers_rules(BuildConfig build) {
@@ -150,6 +182,15 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     PixelPosition& p = *edit.window.pinned;
     p.x = std::clamp(p.x + dx, 0, std::max(0, state.session.width - 1));
     p.y = std::clamp(p.y + dy, 0, std::max(0, state.session.height - 1));
+}
+
+void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
+    const JudgedLayer* judged = state.judged();
+    if (judged == nullptr) {
+        show_oracle(edit);
+        return;
+    }
+    if (const auto pixel = next_wrong_pixel(*judged, edit.window.pinned, backwards)) edit.window.pinned = *pixel;
 }
 
 void focus(const EngineState& state, Edit& edit) {

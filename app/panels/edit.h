@@ -16,6 +16,17 @@ enum class Corner { top_left, top_right, bottom_left, bottom_right };
 /// What a drag does: turn the eye about the target, or the view about the eye.
 enum class CameraStyle { orbit, fly };
 
+/// What a person looks at in STABILITY.
+struct StabilityView {
+    std::string id = "T16";  // the case
+    std::string filter;      // of the list
+    bool charts = false;     // rather than verdicts
+    bool all_traversals = true;
+    int row = -1;              // of the verdicts whose reason is shown; none below 0
+    std::string scene_before;  // that a case's scene took the place of
+    std::optional<Camera> camera_before;
+};
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
@@ -34,6 +45,8 @@ struct WindowSettings {
     float fly_speed = 1;                    // times the scene's size per 4 seconds
     std::vector<std::string> recent_files;  // scenes opened from files, newest first
     int timing_scale = 0;                   // of the frames timed: 0 = chosen by the program, 1 = every pixel, 2 = half
+    std::string bottom = "TIME";            // the panel shown at the bottom
+    StabilityView stability;
 };
 
 enum class Action {
@@ -46,6 +59,10 @@ enum class Action {
     export_json,
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
+    copy_ray,      // the compared ray of the pinned or hovered pixel, as a table that trace reads
+    run_case,      // of STABILITY
+    run_sweep,
+    cancel_stability,
 };
 
 struct Edit {
@@ -71,6 +88,7 @@ void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
 /// To the divergence, and from there back to what was shown before.
 void toggle_divergence(Edit& edit);
+void show_oracle(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
@@ -81,6 +99,11 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
+/// STABILITY at the bottom, or TIME again.
+void switch_bottom(Edit& edit);
+/// A scene of the case chosen in STABILITY; the one before it is kept in mind.
+void show_stress(Edit& edit, const std::string& scene);
+void leave_stress(Edit& edit);
 /// `build` with the rules that the paper's text gives; its costs have no values there.
 [[nodiscard]] BuildConfig papers_rules(BuildConfig build);
 void next_traversal(Edit& edit);
@@ -98,6 +121,8 @@ void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
+/// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
+void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
 /// Puts the orbit centre where the pinned or hovered pixel's ray hit.
 void focus(const EngineState& state, Edit& edit);
 }  // namespace edits

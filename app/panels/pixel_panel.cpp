@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/panels/panel.h"
+#include "app/panels/verdict_rows.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/trace/counters.h"
@@ -91,6 +92,7 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const Pass read = rays_read(edit);
     const PassReading& ray = reading.passes[std::size_t(read)];
     draw_hit(ray);
+    draw_verdict(state, edit);
     widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
     draw_counters(ray);
     draw_other_rays(reading, read);

@@ -61,18 +61,27 @@ void draw_modes(Edit& edit) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, 0});
     if (widgets::segment("Beauty", !view.show_map, "The image alone. Key H.")) edits::show_beauty(edit);
     ImGui::SameLine();
-    if (widgets::segment("Heat", view.show_map && !tiles, "What each pixel's rays cost. Key H."))
+    const bool oracle = map && map->needs_oracle();
+    if (widgets::segment("Heat", view.show_map && !tiles && !oracle, "What each pixel's rays cost. Key H."))
         edits::show_heat(edit);
     ImGui::SameLine();
     if (widgets::segment("Divergence", view.show_map && tiles,
                          "What pixels lose by waiting for their neighbours in a SIMD group. Key D."))
         edits::show_divergence(edit);
+    ImGui::SameLine();
+    if (widgets::segment("Oracle", view.show_map && oracle,
+                         "Whether each pixel's ray found what a loop over all triangles finds in double precision."))
+        edits::show_oracle(edit);
     ImGui::PopStyleVar();
     ImGui::SameLine();
     draw_map(edit);
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
+    ImGui::SameLine(0, theme::px(12));
+    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom != "TIME",
+                         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
+        edits::switch_bottom(edit);
 }
 
 std::string machines_text(const EngineState& state) {
@@ -122,12 +131,14 @@ std::string status_text(const EngineState& state, const WindowSettings& window) 
 /// The bar of the work that takes longest now.
 void draw_work(const EngineState& state, Edit& edit) {
     const bool building = state.building.active;
-    if (!building && !state.tracing.active) return;
-    const float fraction = building ? state.building.fraction : state.tracing.fraction;
+    const bool tracing = state.tracing.active;
+    if (!building && !tracing && !state.judging.active) return;
+    const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
+    const char* name = building ? "building" : tracing ? "refining" : "comparing";
     ImGui::SameLine(0, theme::px(16));
     ImGui::SetNextItemWidth(theme::px(150));
-    ImGui::ProgressBar(fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
-                       fmt::format("{} {:.0f} %", building ? "building" : "refining", 100 * fraction).c_str());
+    ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
+                       fmt::format("{} {:.0f} %", name, 100 * work.fraction).c_str());
     if (!building) return;
     ImGui::SameLine();
     if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);

@@ -82,7 +82,8 @@ Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays
                          .renderer = renderer_of(state),
                          .software_gl = !on_cpu(state) && state.gl.software,
                          .clock = traced.clock,
-                         .left_out = traced.left_out},
+                         .left_out = traced.left_out,
+                         .judged = state.judged()},
                         rays);
 }
 
@@ -97,10 +98,12 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
     if (what == Action::export_json) write_file(path, json_text(summary_json(state, rays_of(traced))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
+    if (!bare && !is_judged_for(traced, state.picture->view, true))
+        throw InputError("export: the hits are still being compared with double precision; wait until all are");
     write_png(path,
               bare ? state.picture->image
                    : make_figure(*traced.frame, traced.world->tree, traced.camera, state.picture->view, title_of(state),
-                                 caption_of(facts_of(state)), font),
+                                 caption_of(facts_of(state)), font, 1, traced.judged.get()),
               png_text(state));
     return path;
 }

@@ -1,6 +1,7 @@
 #include "app/window/state_file.h"
 
 #include "app/json_values.h"
+#include "app/sweep_chart.h"
 #include "app/window/exporting.h"
 #include "renderer/io/file.h"
 #include "renderer/scene/units.h"
@@ -9,9 +10,17 @@ namespace kd {
 
 namespace {
 
+Json json_of(const OracleReading& oracle) {
+    return {{"verdict", name_of(oracle.judged.verdict)},
+            {"triangle", oracle.judged.exact.triangle},
+            {"t", oracle.judged.exact.t},
+            {"ulps", oracle.judged.ulps}};
+}
+
 Json json_of(const std::optional<PixelReading>& reading) {
     if (!reading) return nullptr;
     Json result{{"x", reading->pixel.x}, {"y", reading->pixel.y}, {"scale", reading->scale}};
+    if (reading->oracle) result["oracle"] = json_of(*reading->oracle);
     for (std::size_t p = 0; p < pass_count; ++p) {
         const PassReading& ray = reading->passes[p];
         if (!ray.traced) continue;
@@ -50,6 +59,30 @@ Json json_of(const WindowSettings& window) {
             {"text_scale", json_number(window.text_scale)}};
 }
 
+/// What STABILITY shows: the case, its verdicts, and the points of its charts.
+Json json_of(const StabilityState& state, const StabilityView& view) {
+    Json json{{"case", view.id},
+              {"charts", view.charts},
+              {"active", state.active},
+              {"what", state.what},
+              {"error", state.error}};
+    if (const auto found = state.verdicts.find(view.id); found != state.verdicts.end()) {
+        json["passed"] = found->second->passed();
+        for (const StabilityRow& row : found->second->rows)
+            json["rows"].push_back(
+                {{"tracer", row.tracer}, {"traversal", row.traversal}, {"n", row.n}, {"mismatches", row.mismatches}});
+    }
+    const auto sweep = state.sweeps.find(view.id);
+    if (sweep == state.sweeps.end()) return json;
+    json["sweep_complete"] = sweep->second->complete;
+    for (const ChartCurve& curve : fault_chart(*sweep->second).curves) {
+        Json points = Json::array();
+        for (const ChartPoint& point : curve.points) points.push_back(Json::array({point.x, point.y, point.bound}));
+        json["curves"][curve.name] = points;
+    }
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -68,6 +101,8 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
     json["pinned"] = json_of(state.pinned);
+    json["bottom"] = edit.window.bottom;
+    json["stability"] = json_of(state.stability, edit.window.stability);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
     return json;

@@ -20,6 +20,7 @@
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/io/tables.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -146,7 +147,7 @@ bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
-    const bool working = state.working() || state.stale() || edit_.exporting.active;
+    const bool working = state.working() || state.stale() || state.stability.active || edit_.exporting.active;
     if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
@@ -164,7 +165,9 @@ void WindowLoop::run(const std::stop_token& stop) {
             lively_frames_ = frames_after_input;
             continue;
         }
-        const bool moving = engine_->state().working() || !engine_->state().messages.empty() || edit_.exporting.active;
+        const EngineState& state = engine_->state();
+        const bool moving =
+            state.working() || state.stability.active || !state.messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) draw_frame();
         --lively_frames_;
     }
@@ -210,10 +213,11 @@ void WindowLoop::lay_out_frame() {
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (size.x >= 1 && size.y >= 1) {  // nothing to see of a minimised window
-        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels);
+        const bool tall = bottom_panel().tall;
+        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels, tall);
         viewport_->draw(layout_.picture, engine_->state(), now, seconds, edit_);
         draw_panels(layout_);
-        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_);
+        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_, tall);
         draw_help(edit_);
     }
     ImGui::Render();
@@ -236,6 +240,13 @@ void WindowLoop::present_frame() {
     if (answered) answered_ = inputs_;
 }
 
+const Panel& WindowLoop::bottom_panel() const {
+    const Panel* shown = nullptr;
+    for (const Panel& panel : panels())
+        if (panel.place == PanelPlace::bottom && (!shown || panel.title == edit_.window.bottom)) shown = &panel;
+    return *shown;
+}
+
 void WindowLoop::draw_panels(const Layout& layout) {
     const EngineState& state = engine_->state();
     draw_top_bar(layout.top, state, edit_);
@@ -245,7 +256,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
         begin_area(name, area, {theme::px(12), theme::px(8)},
                    place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
         for (const Panel& panel : panels()) {
-            if (panel.place != place) continue;
+            if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
             const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
             const bool foldable = place != PanelPlace::bottom;
@@ -298,6 +309,12 @@ void WindowLoop::carry_out(Action action) {
         case Action::export_window: window_export_ = true; break;  // when the frame is drawn
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
+        case Action::copy_ray: copy_ray(); break;
+        case Action::run_case:
+            engine_->run_case(edit_.window.stability.id, edit_.window.stability.all_traversals);
+            break;
+        case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
+        case Action::cancel_stability: engine_->cancel_stability(); break;
         default: write_files(action);
     }
 }
@@ -308,6 +325,14 @@ void WindowLoop::copy_camera() {
     const Camera camera = to_scene_units(state.world->scene(), state.camera);
     glfwSetClipboardString(window_.handle(), camera_text(camera).c_str());
     engine_->say(false, "copied the camera");
+}
+
+void WindowLoop::copy_ray() {
+    const EngineState& state = engine_->state();
+    const std::optional<PixelReading>& reading = state.pinned ? state.pinned : state.hovered;
+    if (!reading || !reading->oracle) return;
+    glfwSetClipboardString(window_.handle(), rays_csv({&reading->oracle->ray, 1}).c_str());
+    engine_->say(false, "copied the ray, as a table that kdscope trace --rays reads");
 }
 
 void WindowLoop::paste_camera() {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/engine.h"
-#include "app/panels/edit.h"
+#include "app/panels/panel.h"
 #include "app/window/event_log.h"
 #include "app/window/exporter.h"
 #include "app/window/glfw_window.h"
@@ -46,10 +46,12 @@ class WindowLoop {
     void present_frame();
     void draw_panels(const Layout& layout);
     void take_keys();
+    [[nodiscard]] const Panel& bottom_panel() const;
     void apply_keys();
     void apply_edit();
     void carry_out(Action action);
     void copy_camera();
+    void copy_ray();
     void paste_camera();
     void write_files(Action action);
     void fetch_exports();

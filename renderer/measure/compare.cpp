@@ -22,6 +22,12 @@ std::string counters_text(const RayCounters& c) {
     return text + fmt::format("exit {}", exit_reason_name(c.exit_reason));
 }
 
+template <class AnyHit>
+std::string exact_text_of(const AnyHit& hit) {
+    if (hit.triangle < 0) return "no hit";
+    return fmt::format("triangle {} t {:a} u {:a} v {:a}", hit.triangle, hit.t, hit.u, hit.v);
+}
+
 }  // namespace
 
 ReferenceRays ReferenceRays::every(std::size_t step) const {
@@ -70,9 +76,8 @@ std::string exact_text(const Ray& ray) {
                        t_max, source);
 }
 
-std::string exact_text(const Hit& hit) {
-    if (hit.triangle < 0) return "no hit";
-    return fmt::format("triangle {} t {:a} u {:a} v {:a}", hit.triangle, hit.t, hit.u, hit.v);
-}
+std::string exact_text(const Hit& hit) { return exact_text_of(hit); }
+
+std::string exact_text(const f64::Hit& hit) { return exact_text_of(hit); }
 
 }  // namespace kd

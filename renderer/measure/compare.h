@@ -37,5 +37,6 @@ void compare_counters(const ReferenceRays& reference, const RayAnswers& expected
 /// The ray as a line of a ray table (ox,oy,oz,dx,dy,dz,tmin,tmax) in exact hexadecimal floats, and its source triangle.
 [[nodiscard]] std::string exact_text(const Ray& ray);
 [[nodiscard]] std::string exact_text(const Hit& hit);
+[[nodiscard]] std::string exact_text(const f64::Hit& hit);
 
 }  // namespace kd

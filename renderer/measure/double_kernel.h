@@ -1,19 +1,22 @@
-// The shared text in double precision: rays and the four passes, by the naive traversal.
+// The shared text in double precision: rays and the four passes, over all triangles or those whose boxes the ray meets.
 #pragma once
 
 #include <limits>
 
+#include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
 
 namespace kd::f64 {
 
-/// Hooks that read a scene, and the shared text behind them. Walks are over all triangles.
+/// Hooks that read a scene, and the shared text behind them. Walks are over all triangles; with `boxes`, those of the
+/// scene, they pass over the ones that the ray cannot hit, and answer the same.
 class DoubleKernel {
   public:
-    explicit DoubleKernel(const FlatScene& scene) : scene_(scene) {}
+    explicit DoubleKernel(const FlatScene& scene, const TriangleBoxes* boxes = nullptr)
+        : scene_(scene), boxes_(boxes) {}
 
 #define KD_RULES KD_RULES_ROBUST
-#define KD_TRAVERSE traverse_naive
+#define KD_TRAVERSE traverse_all
 #include "shaders/shared/vector.glsl"
 // Each uses the ones before it.
 #include "shaders/shared/ray.glsl"
@@ -32,6 +35,12 @@ class DoubleKernel {
 #undef KD_RULES
 
   private:
+    void traverse_all(const RaySetup& s, bool any_hit, Hit& hit) {
+        if (boxes_ == nullptr || !valid_ray(s.ray)) return traverse_naive(s, any_hit, hit);
+        const auto limit = [&] { return any_hit && hit.triangle >= 0 ? -1.0 : hit.t; };
+        boxes_->visit(s.ray.origin, s.inverse, s.slack, limit,
+                      [&](int triangle) { intersect_triangle(s, -1, triangle, hit); });
+    }
     int fetch_reference(int slot) const { return slot; }
     void on_triangle(int) {}
     void on_exit(int) {}
@@ -75,6 +84,7 @@ class DoubleKernel {
     }
 
     const FlatScene& scene_;
+    const TriangleBoxes* boxes_;
 };
 
 }  // namespace kd::f64

@@ -4,12 +4,13 @@
 // so a difference is a fault only where the double's barycentrics leave no doubt.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <stop_token>
 #include <vector>
 
+#include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/judged_layer.h"
 
 namespace kd {
 
@@ -17,19 +18,37 @@ namespace kd {
 [[nodiscard]] std::vector<f64::Hit> double_brute_force(const FlatScene& scene, std::span<const Ray> rays,
                                                        int threads = 0, std::stop_token stop = {});
 
-enum class HitFault { none, missed, false_hit, wrong_triangle, wrong_t };
+/// What double_brute_force() answers, to the last bit, in the time of a tree. Made once per scene, which must outlive it.
+class DoubleOracle {
+  public:
+    explicit DoubleOracle(const FlatScene& scene) : scene_(scene), boxes_(scene.triangles) {}
 
-struct HitError {
-    HitFault fault = HitFault::none;
-    double ulps = 0;  // of t, in units in the last place of the double's t rounded to float; 0 where nothing was hit
+    [[nodiscard]] const FlatScene& scene() const { return scene_; }
+    [[nodiscard]] const TriangleBoxes& boxes() const { return boxes_; }
+    [[nodiscard]] f64::Hit nearest(const Ray& ray) const;
+    /// Incomplete where stopped.
+    [[nodiscard]] std::vector<f64::Hit> nearest(std::span<const Ray> rays, int threads = 0,
+                                                std::stop_token stop = {}) const;
+
+  private:
+    const FlatScene& scene_;
+    TriangleBoxes boxes_;
 };
 
-/// How a hit differs from the double's. Another triangle at a distance within `tie_ulps` is a tie, no fault; so is a hit or
-/// a miss where the double's nearest edge is closer than `margin` in barycentrics. t is wrong above `most_ulps`.
+struct HitError {
+    HitVerdict verdict = HitVerdict::agrees;
+    double ulps = 0;  // as JudgedHit::ulps
+};
+
+/// How a hit differs from the double's. Another triangle at a distance within `tie_ulps` is a tie, no fault; so is another
+/// answer where an edge is closer than `margin` in barycentrics. t is wrong above `most_ulps`.
 struct HitJudge {
     double most_ulps = 64, tie_ulps = 64, margin = 1e-5;
     [[nodiscard]] HitError judge(const Hit& found, const f64::Hit& exact) const;
 };
+
+/// Least of the three barycentric coordinates: how far a hit is from the triangle's nearest edge.
+[[nodiscard]] double edge_distance(double u, double v);
 
 /// |a - b| in units in the last place of float(b).
 [[nodiscard]] double ulps_between(float a, double b);

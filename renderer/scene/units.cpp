@@ -69,6 +69,15 @@ Hit to_scene_units(const FlatScene& scene, const Hit& hit) {
     return {hit.triangle, to_scene_units(scene, hit.t), hit.u, hit.v};
 }
 
+f64::Hit to_scene_units(const FlatScene& scene, const f64::Hit& hit) {
+    return {hit.triangle, std::ldexp(hit.t, scene.exponent), hit.u, hit.v};
+}
+
+Ray to_scene_units(const FlatScene& scene, const Ray& ray) {
+    return {to_scene_units(scene, ray.origin), ray.direction, to_scene_units(scene, ray.t_min),
+            std::min(to_scene_units(scene, ray.t_max), KD_T_LIMIT), ray.source};
+}
+
 Camera to_scene_units(const FlatScene& scene, const Camera& camera) { return times_power(camera, scene.exponent); }
 
 }  // namespace kd

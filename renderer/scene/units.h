@@ -27,6 +27,9 @@ void rescale(FlatScene& scene);
 [[nodiscard]] Vec3 to_scene_units(const FlatScene& scene, Vec3 point);
 [[nodiscard]] Aabb to_scene_units(const FlatScene& scene, const Aabb& box);
 [[nodiscard]] Hit to_scene_units(const FlatScene& scene, const Hit& hit);
+[[nodiscard]] f64::Hit to_scene_units(const FlatScene& scene, const f64::Hit& hit);
+/// An end that no float holds there is the largest one that rays may have.
+[[nodiscard]] Ray to_scene_units(const FlatScene& scene, const Ray& ray);
 [[nodiscard]] Camera to_scene_units(const FlatScene& scene, const Camera& camera);
 
 }  // namespace kd

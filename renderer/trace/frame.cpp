@@ -17,6 +17,15 @@ Hit in_scene_units(const Frame& frame, Hit hit) {
     return hit;
 }
 
+bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {
+    if (pass == Pass::rt_prim) return frame.colour.pixels[pixel].w != 0;
+    const RayLayer& layer = frame.layer(pass);
+    const RayCounters& c = layer.counters.pixels[pixel];
+    return (c.interior_first | c.interior_again | c.leaves | c.triangle_tests | c.restarts | c.backtracks |
+            c.stack_depth | c.exit_reason) != 0 ||
+           layer.hit.pixels[pixel].triangle >= 0;
+}
+
 std::vector<Tile> tiles_of(int width, int height, int size) {
     std::vector<Tile> tiles;
     for (int y = 0; y < height; y += size)

@@ -42,6 +42,11 @@ struct Frame {
 /// A hit of this frame with its distance in scene units. Where nothing was hit, t stays the limit that it is.
 [[nodiscard]] Hit in_scene_units(const Frame& frame, Hit hit);
 
+/// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
+/// the pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was
+/// hit.
+[[nodiscard]] bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel);
+
 /// Half-open rectangle of pixels.
 struct Tile {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;

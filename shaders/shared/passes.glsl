@@ -39,8 +39,8 @@ KD_FN bool reflection_counts(real3 weight, real least_contribution)
     return largest > real(0) && largest >= least_contribution;
 }
 
-/// RTRefl: trace the mirror ray of a path whose reflection counts.
-KD_FN Path trace_reflection(IN(Path) path)
+/// The ray that the surface at a path's hit mirrors its ray into.
+KD_FN Ray mirror_ray(IN(Path) path)
 {
     Surface s = surface_at(path.ray, path.hit);
     real3 d = normalise3(path.ray.direction);
@@ -48,8 +48,14 @@ KD_FN Path trace_reflection(IN(Path) path)
     // An interpolated normal can send the ray below the surface; lift it back to the tangent plane.
     real below = dot3(mirrored, s.geometric);
     if (below < real(0)) mirrored = add_scaled3(mirrored, s.geometric, real(-1.001) * below);
+    return leave_surface(s, normalise3(mirrored), KD_T_LIMIT);
+}
+
+/// RTRefl: trace the mirror ray of a path whose reflection counts.
+KD_FN Path trace_reflection(IN(Path) path)
+{
     Path next;
-    next.ray = leave_surface(s, normalise3(mirrored), KD_T_LIMIT);
+    next.ray = mirror_ray(path);
     next.hit = no_hit(next.ray);
     next.weight = reflected_weight(path);
     traverse(next.ray, false, next.hit);

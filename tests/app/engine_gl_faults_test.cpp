@@ -77,21 +77,21 @@ class EngineGlFaults : public testing::Test {
 };
 
 TEST_F(EngineGlFaults, F03_AShaderThatFailsIsShownWithItsLineAndTheCpuGoesOn) {
-    change_shader("shared/traverse_restart.glsl", "{", "{ nonsense");
+    change_shader("fragment/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
     const auto engine = start(TracerKind::gl_fragment);
     ASSERT_TRUE(settle(*engine));
-    EXPECT_EQ(engine->state().picture->traced.tracer, TracerKind::gl_fragment) << "the stack's shader is good";
+    EXPECT_EQ(engine->state().picture->traced.tracer, TracerKind::gl_fragment) << "this shader is good";
     Session next = engine->state().session;
-    next.trace.traversal = Traversal::restart;
+    next.trace.leaf_lists = LeafLists::duplicated;
     engine->set_session(next);
     ASSERT_TRUE(engine->state().picture) << "the picture before stays";
     ASSERT_TRUE(settle(*engine));
-    EXPECT_EQ(messages_with(engine->state(), "shaders/shared/traverse_restart.glsl:"), 1);
+    EXPECT_EQ(messages_with(engine->state(), "shaders/fragment/scene_hooks.glsl:"), 1);
     EXPECT_EQ(engine->state().session.tracer, TracerKind::cpu);
-    EXPECT_EQ(engine->state().picture->traced.config.traversal, Traversal::restart);
+    EXPECT_EQ(engine->state().picture->traced.config.leaf_lists, LeafLists::duplicated);
     EXPECT_EQ(engine->state().picture->traced.tracer, TracerKind::cpu);
     next = engine->state().session;
-    next.trace.traversal = Traversal::stack;
+    next.trace.leaf_lists = LeafLists::references;
     next.tracer = TracerKind::gl_fragment;
     engine->set_session(next);
     ASSERT_TRUE(settle(*engine));

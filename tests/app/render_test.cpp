@@ -120,6 +120,32 @@ TEST(Render, JsonCountersAreThoseOfTheRays) {
     expect_sums(counters["reflection_shadow"], frame.layer(Pass::shade_refl).counters.pixels, "reflection shadow");
 }
 
+TEST(Render, OracleCountsWhatIsWrong) {
+    const TestFolder folder;
+    const auto oracle = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{
+            "render", "rooms", "-o", folder.file("o.png"), "--json", folder.file("o.json"), "--size", "64x64"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const test::Outcome outcome = run_kdscope(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return std::pair(outcome.out, json::parse(read_file(folder.file("o.json"))));
+    };
+    const auto [right, robust] = oracle({"--map", "oracle"});
+    EXPECT_NE(right.find("oracle    0 wrong of 4096 primary rays; 0 of n means below 3/n"), std::string::npos) << right;
+    EXPECT_EQ(robust["oracle"]["agrees"], 4096);
+    EXPECT_EQ(robust["oracle"]["wrong"], 0);
+    const auto [wrong, published] = oracle({"--map", "t-error", "--log", "--rules", "as-published"});
+    EXPECT_GT(published["oracle"]["missed"], 0);
+    EXPECT_EQ(published["oracle"]["wrong"].get<int>() + published["oracle"]["agrees"].get<int>() +
+                  published["oracle"]["tie"].get<int>(),
+              published["oracle"]["compared"].get<int>());
+    EXPECT_NE(wrong.find(std::to_string(published["oracle"]["missed"].get<int>()) + " missed"), std::string::npos);
+    EXPECT_FALSE(oracle({"--map", "nodes"}).second.contains("oracle")) << "costs only where asked for";
+    EXPECT_EQ(oracle({"--map", "oracle", "--rays", "reflection"}).second["oracle"]["compared"], 0);
+    EXPECT_EQ(run_kdscope({"render", "rooms", "-o", folder.file("p.png"), "--map", "oracle", "--rays", "shadow"}).code,
+              2);
+}
+
 TEST(Render, JsonDescribesThePicture) {
     const TestFolder folder;
     const test::Outcome outcome =

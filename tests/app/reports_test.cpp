@@ -143,7 +143,8 @@ TEST_F(Trace, WritesAFileAndObeysTraversal) {
     const test::Outcome outcome = run_kdscope(
         {"trace", "cornell", "--rays", rays, "-o", folder.file("h.csv"), "--tracer", "cpu", "--traversal", "restart"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out, "wrote " + folder.file("h.csv") + " (4 rows)\n");
+    EXPECT_EQ(outcome.out,
+              "wrote " + folder.file("h.csv") + " (4 rows)\nchecked: 0 of 4 answers are wrong in double precision\n");
     const std::string table = read_file(folder.file("h.csv"));
     EXPECT_EQ(std::ranges::count(table, '\n'), 5);
     EXPECT_EQ(folder.names(), (Words{"h.csv", "rays.csv"}));
@@ -153,6 +154,45 @@ TEST_F(Trace, BadRaysNameTheLine) {
     std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,0,0,0,0,1\n0,0,abc,0,0,1\n";
     expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-"}), {"rays.csv:3", "'abc'"});
     expect_usage_error(run_kdscope({"trace", "cornell", "--rays", folder.file("none.csv"), "-o", "-"}), {"none.csv"});
+}
+
+/// Rays along the diagonals of a box lose their hits where the paper's rule decides.
+TEST_F(Trace, WrongAnswersAreToldExactlyAndCanBeFedBack) {
+    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,1,3.95,0,0,-1\n0.1,1.05,3.95,0.01,0.02,-1\n0,1,3.95,0,-0.125,-1\n"
+                           "0,1,3.95,0,0,1\n";
+    const auto trace = [&](const std::string& from, const std::string& failures, const std::string& rules) {
+        return run_kdscope({"trace", "cornell", "--rays", from, "-o", folder.file("h.csv"), "--tracer", "cpu",
+                            "--traversal", "stack", "--rules", rules, "--failures", failures});
+    };
+    const test::Outcome wrong = trace(rays, folder.file("wrong.csv"), "as-published");
+    EXPECT_EQ(wrong.code, 1) << wrong.err;
+    EXPECT_NE(wrong.err.find("kdscope: ray 0: stack on cpu: missed; found no hit; in double triangle "),
+              std::string::npos)
+        << wrong.err;
+    EXPECT_NE(wrong.err.find("; the ray is 0x0p+0,0x1p+0,0x1.f9999ap+1,0x0p+0,0x0p+0,-0x1p+0,0x0p+0,"),
+              std::string::npos)
+        << wrong.err;
+    EXPECT_NE(wrong.err.find(" of 4 answers are wrong in double precision: "), std::string::npos) << wrong.err;
+    EXPECT_EQ(wrong.err.find("ray 3:"), std::string::npos) << "it rightly hits nothing";
+
+    // Fed back, all of them fail again, and by the robust rules none.
+    const std::string table = read_file(folder.file("wrong.csv"));
+    const auto n = std::to_string(std::ranges::count(table, '\n') - 1);
+    const test::Outcome again = trace(folder.file("wrong.csv"), folder.file("again.csv"), "as-published");
+    EXPECT_EQ(again.code, 1);
+    EXPECT_NE(again.err.find(n + " of " + n + " answers are wrong"), std::string::npos) << again.err;
+    EXPECT_EQ(read_file(folder.file("again.csv")), table);
+    const test::Outcome robust = trace(folder.file("wrong.csv"), folder.file("none.csv"), "robust");
+    EXPECT_EQ(robust.code, 0) << robust.err;
+    EXPECT_EQ(robust.err, "");
+    EXPECT_EQ(read_file(folder.file("none.csv")), "ox,oy,oz,dx,dy,dz,tmin,tmax\n");
+}
+
+/// A ray that cannot be traced is answered rightly when the walk refuses it.
+TEST_F(Trace, InvalidRaysAreNoFailures) {
+    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,1,3.95,0,0,0\nnan,1,3.95,0,0,1\n";
+    const test::Outcome outcome = run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-", "--tracer", "cpu"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST(Verify, PassesOnAScene) {

@@ -80,18 +80,19 @@ KD_FOR_ALL_CONTEXTS(GlFaults);
 
 TEST_P(GlFaults, F03_AShaderThatFailsNamesFileAndLineAndThePassesBeforeItStayUsable) {
     const auto context = Context::create(GetParam());
-    const fs::path folder = shaders_with("shared/traverse_restart.glsl", "{", "{ nonsense");
+    const fs::path folder =
+        shaders_with("fragment/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
     const Variable shaders("KD_SHADER_DIR", folder.string());
     GlTracer tracer(*context);
     tracer.upload(scene, tree);
     const PinholeCamera camera = pinhole(scene.camera, 32, 24);
     tracer.draw({}, camera, 32, 24, whole(32, 24));
     const Frame before = tracer.read_frame({});
-    GlTraceConfig restart;
-    restart.trace.traversal = Traversal::restart;
-    const std::string message = message_of<GlError>([&] { tracer.draw(restart, camera, 32, 24, whole(32, 24)); });
+    GlTraceConfig copies;
+    copies.trace.leaf_lists = LeafLists::duplicated;
+    const std::string message = message_of<GlError>([&] { tracer.draw(copies, camera, 32, 24, whole(32, 24)); });
     EXPECT_TRUE(holds(message, "does not compile")) << message;
-    EXPECT_TRUE(holds(message, "shaders/shared/traverse_restart.glsl:")) << message;
+    EXPECT_TRUE(holds(message, "shaders/fragment/scene_hooks.glsl:")) << message;
     EXPECT_TRUE(holds(message, "nonsense")) << message;
     tracer.draw({}, camera, 32, 24, whole(32, 24));
     EXPECT_EQ(tracer.read_frame({}).colour, before.colour);
@@ -114,10 +115,13 @@ TEST_P(GlFaults, F04_AWrongTIsFound) {
 }
 
 TEST_P(GlFaults, F04_ANanThatIsTakenForANumberIsFound) {
-    // As a compiler does that is told that there is none.
-    const Variable shaders(
-        "KD_SHADER_DIR",
-        shaders_with("fragment/language.glsl", "((floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u)", "false").string());
+    // What a compiler makes of it that is told that there is no NaN.
+    const Variable shaders("KD_SHADER_DIR",
+                           shaders_with("shared/ray.glsl",
+                                        "!(IS_NAN(a.x) || IS_NAN(a.y) || IS_NAN(a.z)) && abs(a.x) <= limit && "
+                                        "abs(a.y) <= limit && abs(a.z) <= limit",
+                                        "!(abs(a.x) > limit) && !(abs(a.y) > limit) && !(abs(a.z) > limit)")
+                               .string());
     const std::string message = message_of_tracer();
     EXPECT_TRUE(holds(message, "nan")) << message;
     EXPECT_TRUE(holds(message, "invalid ray")) << message;
@@ -177,12 +181,14 @@ TEST_P(GlFaults, F08_AContextThatIsLostIsToldAsSuch) {
         tracer.upload(scene, tree);
         for (int i = 0; i < 20; ++i) tracer.draw({}, pinhole(scene.camera, 16, 12), 16, 12, whole(16, 12));
     };
-    const auto first = Context::create(GetParam());
-    GlTracer lost(*first);
-    EXPECT_TRUE(holds(message_of<ContextLost>([&] { draw_often(lost); }), "the GPU was reset while"));
-    EXPECT_THROW(draw_often(lost), ContextLost) << "for good";
-    const auto second = Context::create(GetParam());
-    GlTracer good(*second);
+    {
+        const auto context = Context::create(GetParam());
+        GlTracer lost(*context);
+        EXPECT_TRUE(holds(message_of<ContextLost>([&] { draw_often(lost); }), "the GPU was reset while"));
+        EXPECT_THROW(draw_often(lost), ContextLost) << "for good";
+    }
+    const auto context = Context::create(GetParam());
+    GlTracer good(*context);
     EXPECT_NO_THROW(draw_often(good));
 }
 

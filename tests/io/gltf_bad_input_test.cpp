@@ -26,7 +26,7 @@ TEST(G01, ThreeBytes) {
 
 TEST(G03, BytesThatAreNeitherNameTheMagic) {
     EXPECT_EQ(load_error("\x89PNG\r\n\x1a\n and so on", "scene.glb"),
-              "scene.glb: GLB header: bad magic '\x89PNG'; a GLB begins with 'glTF'");
+              "scene.glb: GLB header: bad magic '?PNG'; a GLB begins with 'glTF'");
     EXPECT_TRUE(holds(load_error(std::string(64, '\1'), "scene.GLB"), "GLB header: bad magic '?"));
     EXPECT_TRUE(holds(load_error("\xef\xbb\xbf  ", "scene.glb"), "bad magic")) << "a byte order mark and nothing more";
     EXPECT_EQ(load_error("\xef\xbb\xbf \n" + one_triangle().text(), "scene.glb"), "") << "text under the other name";

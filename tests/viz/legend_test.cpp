@@ -140,6 +140,11 @@ TEST(LegendGolden, Categories) {
     test::expect_golden(legend_of(compute_map(test::ball_frame(), {.map = "exit"}), {}), "legend_exit");
 }
 
+TEST(LegendGolden, VerdictsWithTheirCounts) {
+    const JudgedLayer judged = test::ball_judged();
+    test::expect_golden(legend_of(compute_map(test::ball_frame(), {.map = "oracle"}, &judged), {}), "legend_oracle");
+}
+
 TEST(LegendGolden, Depths) {
     test::expect_golden(draw_depth_legend({}, 5, Font{}), "legend_depths");
     test::expect_golden(draw_depth_legend({.max_depth = 24, .hidden_line = false}, 24, Font{}, 2),

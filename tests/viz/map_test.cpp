@@ -35,12 +35,13 @@ TEST(Map, RegistryIsComplete) {
     std::set<std::string_view> names;
     for (const MapInfo& map : maps()) {
         EXPECT_TRUE(names.insert(map.name).second) << map.name;
-        EXPECT_NE(map.of_pixel == nullptr, map.of_frame == nullptr) << map.name << " needs exactly one function";
+        EXPECT_EQ((map.of_pixel != nullptr) + (map.of_frame != nullptr) + (map.of_judged != nullptr), 1)
+            << map.name << " needs exactly one function";
         EXPECT_FALSE(map.title.empty()) << map.name;
         EXPECT_FALSE(map.summary.empty()) << map.name;
     }
     for (const char* name : {"nodes", "first-visits", "revisits", "revisit-share", "leaves", "triangles", "restarts",
-                             "backtracks", "stack-depth", "exit", "t", "divergence", "idle"}) {
+                             "backtracks", "stack-depth", "exit", "t", "divergence", "idle", "oracle", "t-error"}) {
         EXPECT_TRUE(names.contains(name)) << name;
     }
 }
@@ -145,7 +146,8 @@ TEST(Map, TilesHold4To1024Pixels) {
 TEST(MapGolden, EveryMap) {
     for (const MapInfo& info : maps()) {
         const MapConfig config{.map = std::string(info.name)};
-        const ScalarMap map = compute_map(test::ball_frame(), config);
+        const JudgedLayer judged = test::ball_judged();
+        const ScalarMap map = compute_map(test::ball_frame(), config, &judged);
         const HeatmapConfig heat;
         const bool exact = info.kind != MapInfo::Kind::length;
         test::expect_golden(paint_map(map, heat, choose_range(map, heat)), "map_" + config.map,

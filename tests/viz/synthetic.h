@@ -1,16 +1,19 @@
 // A small frame whose every number is known: a unit ball before the camera, counters that are formulas of x and y.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/camera.h"
 #include "renderer/trace/frame.h"
+#include "renderer/trace/judged_layer.h"
 #include "viz/text.h"
 
 namespace kd::test {
@@ -72,6 +75,24 @@ inline Frame ball_frame(int width = frame_width, int height = frame_height) {
     // The corner sees past the tree: traced, and nothing counted.
     frame.layer(Pass::rt_prim).counters.at(0, 0) = RayCounters{};
     return frame;
+}
+
+/// Verdicts on ball_frame()'s primary rays: columns of each, errors of t that grow from row to row.
+inline JudgedLayer ball_judged(int width = frame_width, int height = frame_height) {
+    JudgedLayer judged;
+    judged.hits = Image<JudgedHit>(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width && x < untraced_from; ++x) {
+            JudgedHit& hit = judged.hits.at(x, y);
+            hit.verdict = HitVerdict(std::min(std::size_t(x / 8), verdict_count - 1));
+            const bool both_hit = hit.verdict == HitVerdict::agrees || hit.verdict == HitVerdict::tie ||
+                                  hit.verdict == HitVerdict::wrong_triangle || hit.verdict == HitVerdict::wrong_t;
+            hit.ulps = both_hit ? y * 0.25 : std::numeric_limits<double>::infinity();
+            hit.exact.triangle = hit.verdict == HitVerdict::false_hit ? -1 : 3;
+            if (y < 6 && x < 8) hit = {HitVerdict::agrees, 0, {-1, 0.0, 0.0, 0.0}};  // past everything, rightly
+        }
+    judged.tally();
+    return judged;
 }
 
 /// Box [-2,2]^3, split at x = 0, its upper half at y = 0.5: nodes 0 interior, 1 leaf, 2 interior, 3 and 4 leaves.

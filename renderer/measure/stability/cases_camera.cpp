@@ -11,9 +11,9 @@
 #endif
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
-#include "renderer/measure/stability/path_rays.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
-#include "renderer/measure/stability/path_rays.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
 

@@ -7,9 +7,9 @@
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/double_path.h"
+#include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
-#include "renderer/measure/stability/path_rays.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/stress_shapes.h"
 

@@ -64,8 +64,12 @@ StabilityReport run_stability(const StabilityConfig& config,
     const auto machines = open_machines(config, report.notes);
     try {
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            if (progress) progress(float(i) / float(cases.size()), fmt::format("{} {}", cases[i]->id, cases[i]->title));
-            CaseRun run(*cases[i], config, machines, stop);
+            const auto tell = [&](const std::string& doing) {
+                const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
+                if (progress) progress(float(i) / float(cases.size()), what);
+            };
+            tell("");
+            CaseRun run(*cases[i], config, machines, stop, [&](const std::string& doing) { tell(": " + doing); });
             report.preparing_seconds += 1e-3 * wall_ms([&] { cases[i]->run(run); });
             for (StabilityRow& row : run.finish()) {
                 report.preparing_seconds -= row.seconds;

@@ -1,4 +1,6 @@
-#include "renderer/measure/stability/path_rays.h"
+#include "renderer/measure/path_rays.h"
+
+#include <limits>
 
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/tile_job.h"
@@ -39,8 +41,7 @@ LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit
 LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit) {
     return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
         const auto surface = kernel.surface_at(arriving, hit);
-        const auto reflected = kernel.trace_reflection({arriving, hit, Vec3(1)});
-        return {reflected.ray, surface.position, surface.geometric};
+        return {kernel.mirror_ray({arriving, hit, Vec3(1)}), surface.position, surface.geometric};
     });
 }
 
@@ -62,6 +63,21 @@ Hit plain_brute_force(const FlatScene& scene, const Ray& ray) {
     return with_kernel(scene, [&](PlainKernel& kernel) {
         Hit hit = kernel.no_hit(ray);
         kernel.traverse(ray, false, hit);
+        return hit;
+    });
+}
+
+Hit plain_nearest_hit(const FlatScene& scene, const TriangleBoxes& boxes, const Ray& ray) {
+    return with_kernel(scene, [&](PlainKernel& kernel) {
+        const auto s = kernel.setup_ray(ray);
+        Hit hit = kernel.no_hit(ray);
+        if (!kernel.valid_ray(s.ray)) return hit;
+        const float limit = hit.t;
+        hit.t = limit - s.t_shift;
+        const auto no_limit = [] { return std::numeric_limits<double>::max(); };
+        boxes.visit(glm::dvec3(s.ray.origin), glm::dvec3(s.inverse), double(s.slack), no_limit,
+                    [&](int triangle) { kernel.intersect_triangle(s, -1, triangle, hit); });
+        hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
         return hit;
     });
 }

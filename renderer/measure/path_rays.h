@@ -1,6 +1,7 @@
 // Rays that leave surfaces, made by the shared text itself, compiled for the plain processor.
 #pragma once
 
+#include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
 
 namespace kd {
@@ -21,10 +22,13 @@ struct LeavingRay {
 /// The shadow ray towards a point light.
 [[nodiscard]] LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light);
 
-/// The direction of a pixel's ray.
+/// The primary ray of a pixel.
 [[nodiscard]] Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height);
 
 /// Nearest hits by all triangles, compiled without any instruction set extension.
 [[nodiscard]] Hit plain_brute_force(const FlatScene& scene, const Ray& ray);
+
+/// The same to the last bit, passing over triangles that the ray comes nowhere near. `boxes` are the scene's.
+[[nodiscard]] Hit plain_nearest_hit(const FlatScene& scene, const TriangleBoxes& boxes, const Ray& ray);
 
 }  // namespace kd

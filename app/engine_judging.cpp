@@ -1,0 +1,28 @@
+#include "app/engine_judging.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/engine_paint.h"
+#include "renderer/measure/frame_judge.h"
+
+namespace kd {
+
+void Judging::judge(const TracedFrame& traced, Pass rays, int threads, const std::stop_token& stop,
+                    const std::function<void(std::shared_ptr<const JudgedLayer>)>& publish,
+                    const std::function<void(float)>& progress) {
+    if (scene_ != traced.world->loaded) {
+        scene_ = traced.world->loaded;
+        oracle_ = std::make_unique<DoubleOracle>(scene_->flat);
+    }
+    const Frame& frame = *traced.frame;
+    const PinholeCamera camera = pinhole(traced.camera, frame.width, frame.height);
+    const auto publish_every = [&](int step, const std::stop_token& until, const std::function<void(float)>& told) {
+        std::optional<JudgedLayer> judged = judge_frame(*oracle_, {frame, camera, rays, step, threads}, until, told);
+        if (judged) publish(std::make_shared<const JudgedLayer>(*std::move(judged)));
+    };
+    if (traced.scale == 1) publish_every(sketch_step, {}, {});
+    publish_every(1, stop, progress);
+}
+
+}  // namespace kd

@@ -1,0 +1,28 @@
+// The judging thread's work: the hits of a frame against double precision, coarsely first.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "app/engine_state.h"
+#include "renderer/measure/oracle.h"
+
+namespace kd {
+
+/// Used by one thread alone.
+class Judging {
+  public:
+    /// Judges the hits of `rays`: those of a sketch's pixels first where the frame is a whole picture, which is soon done
+    /// and never stopped, so that something is seen while the camera moves; then all, unless stopped. Each is handed to
+    /// `publish`.
+    void judge(const TracedFrame& traced, Pass rays, int threads, const std::stop_token& stop,
+               const std::function<void(std::shared_ptr<const JudgedLayer>)>& publish,
+               const std::function<void(float)>& progress);
+
+  private:
+    std::shared_ptr<const LoadedScene> scene_;  // that oracle_ answers for
+    std::unique_ptr<DoubleOracle> oracle_;
+};
+
+}  // namespace kd

@@ -1,0 +1,100 @@
+#include "app/panels/verdict_rows.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/window/theme.h"
+#include "app/window/widgets.h"
+#include "renderer/io/tables.h"
+#include "renderer/measure/oracle.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+constexpr const char* none = "–";
+
+std::string error_text(const JudgedHit& judged, bool both_missed) {
+    if (both_missed) return none;
+    return std::isfinite(judged.ulps) ? number_text(judged.ulps) + " ulp" : "one missed";
+}
+
+/// Of the exact hit; of the one found where there is no exact one.
+std::string edge_text(const JudgedHit& judged, const Hit& found) {
+    if (judged.exact.triangle >= 0) return number_text(edge_distance(judged.exact.u, judged.exact.v));
+    return found.triangle >= 0 ? number_text(edge_distance(double(found.u), double(found.v))) : none;
+}
+
+void draw_comparison(const OracleReading& oracle, const Hit& found) {
+    const JudgedHit& judged = oracle.judged;
+    const bool hit = judged.exact.triangle >= 0;
+    widgets::value(
+        "verdict", std::string(name_of(judged.verdict)),
+        "agrees; tie: another answer where neither is wrong; missed, false hit, wrong triangle, t off by more "
+        "than 64 units in the last place; unfinished: the walk was given up.",
+        is_wrong(judged.verdict) ? theme::error : 0);
+    widgets::value("found triangle", found.triangle >= 0 ? fmt::format("#{}", found.triangle) : "none",
+                   "What the traversal answered.");
+    widgets::value("exact triangle", hit ? fmt::format("#{}", judged.exact.triangle) : "none",
+                   "What a loop over all triangles in double precision answers.");
+    widgets::value("exact t", hit ? number_text(judged.exact.t) : none, "In scene units.");
+    widgets::value("error of t", error_text(judged, !hit && found.triangle < 0),
+                   "Found minus exact, in units in the last place of the exact t as a float.");
+    widgets::value("to the edge", edge_text(judged, found),
+                   "Least barycentric coordinate of the exact hit (of the one found where there is no exact one).");
+}
+
+void draw_ray(const Ray& ray, Edit& edit) {
+    if (!widgets::fold("ray, exact", false)) return;
+    const auto number = [](const char* label, float value) {
+        widgets::value(label, hex_float(value), "A hexadecimal float: every bit of the number.");
+    };
+    number("ox", ray.origin.x);
+    number("oy", ray.origin.y);
+    number("oz", ray.origin.z);
+    number("dx", ray.direction.x);
+    number("dy", ray.direction.y);
+    number("dz", ray.direction.z);
+    number("tmin", ray.t_min);
+    number("tmax", ray.t_max);
+    if (widgets::button("copy ray", "To the clipboard, as a table that kdscope trace --rays reads."))
+        edit.do_once(Action::copy_ray);
+}
+
+void draw_wrong_pixels(const EngineState& state, Edit& edit) {
+    const JudgedLayer* judged = state.judged();
+    const double n = judged ? double(judged->compared()) : 0;
+    const std::int64_t wrong = judged ? judged->wrong() : 0;
+    std::string text = none;
+    if (judged) text = fmt::format("{} of {}", number_text(double(wrong)), number_text(n));
+    if (state.judging.active) text = fmt::format("comparing {:.0f} %", 100 * state.judging.fraction);
+    const std::string bound =
+        wrong == 0 && n > 0
+            ? fmt::format(" 0 of n means: with 95 % certainty below 3/n = {} of such rays.", number_text(3 / n))
+            : "";
+    widgets::value("wrong pixels", text, "Of all that have such a ray." + bound, wrong > 0 ? theme::error : 0);
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (widgets::button("previous wrong", "Pins the wrong pixel before the pinned one. Key Shift W.", wrong > 0, half))
+        edits::pin_wrong(state, edit, true);
+    ImGui::SameLine();
+    if (widgets::button("next wrong", "Pins the next wrong pixel. Key W.", wrong > 0, half))
+        edits::pin_wrong(state, edit, false);
+}
+
+}  // namespace
+
+void draw_verdict(const EngineState& state, Edit& edit) {
+    if (!needs_oracle(edit.session.view) && state.judged() == nullptr) return;
+    const std::optional<PixelReading>& pixel = state.pinned ? state.pinned : state.hovered;
+    const Pass rays = state.judged() ? state.judged()->rays : edit.session.view.map.rays;
+    widgets::heading(fmt::format("{} rays in double precision", ray_names[std::size_t(rays)]).c_str());
+    const OracleReading nothing{};
+    const bool known = pixel && pixel->oracle;
+    const OracleReading& oracle = known ? *pixel->oracle : nothing;
+    draw_comparison(oracle, known ? pixel->passes[std::size_t(oracle.rays)].hit : Hit{-1, 0.0f, 0.0f, 0.0f});
+    draw_wrong_pixels(state, edit);
+    draw_ray(oracle.ray, edit);
+}
+
+}  // namespace kd

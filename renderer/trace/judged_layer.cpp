@@ -1,0 +1,42 @@
+#include "renderer/trace/judged_layer.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace kd {
+
+std::string_view name_of(HitVerdict verdict) {
+    return verdict == HitVerdict::none ? "not compared" : verdict_names[std::size_t(verdict)];
+}
+
+void JudgedLayer::tally() {
+    counts = {};
+    worst_ulps = 0;
+    for (const JudgedHit& hit : hits.pixels) {
+        if (hit.verdict == HitVerdict::none) continue;
+        ++counts[std::size_t(hit.verdict)];
+        if (hit.verdict == HitVerdict::agrees) worst_ulps = std::max(worst_ulps, hit.ulps);
+    }
+}
+
+std::int64_t JudgedLayer::compared() const { return std::accumulate(counts.begin(), counts.end(), std::int64_t(0)); }
+
+std::int64_t JudgedLayer::wrong() const {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < verdict_count; ++i)
+        if (is_wrong(HitVerdict(i))) sum += counts[i];
+    return sum;
+}
+
+std::optional<std::size_t> JudgedLayer::next_wrong(std::optional<std::size_t> from, bool backwards) const {
+    const std::size_t n = hits.pixels.size();
+    if (n == 0) return std::nullopt;
+    std::size_t i = from ? *from % n : (backwards ? 0 : n - 1);
+    for (std::size_t seen = 0; seen < n; ++seen) {
+        i = backwards ? (i + n - 1) % n : (i + 1) % n;
+        if (is_wrong(hits.pixels[i].verdict)) return i;
+    }
+    return std::nullopt;
+}
+
+}  // namespace kd

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# The oracle's map in the window: counts of wrong pixels under the published rules, from one to the next, none under the
+# robust rules, shadow rays refused.
+SCREEN=1600x1500  # high enough for all of TRACING
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window rooms --rules as-published
+state | grep -q '^oracle\.' && fail "compared before anyone asked"
+click_on "top/Oracle"
+wait_for '^settings.view.map.name=oracle$'
+wait_for '^oracle.wrong=[1-9]'
+wrong=$(value oracle.wrong)
+missed=$(value oracle.missed)
+compared=$(value oracle.compared)
+((compared == $(value frame.width) * $(value frame.height))) || fail "$compared pixels were compared"
+((missed > 0 && missed <= wrong)) || fail "$missed missed of $wrong wrong"
+
+# The same counts as the command line's.
+size="$(value frame.width)x$(value frame.height)"
+"$KDSCOPE" render rooms --rules as-published --map oracle --size "$size" -o o.png --json o.json >/dev/null || fail "render failed"
+grep -q "\"wrong\": $wrong," o.json || fail "render counts $(grep '"wrong"' o.json), the window $wrong"
+
+# W pins a wrong pixel; again the next; Shift W the one before.
+press w
+wait_for '^pinned.oracle.verdict=(missed|false hit|wrong triangle|t off)$'
+first="$(value pinned.x),$(value pinned.y)"
+click_on "PIXEL/next wrong"
+wait_for "^pinned.x=$(value pinned.x)$"
+second="$(value pinned.x),$(value pinned.y)"
+[[ $first != "$second" ]] || fail "the next wrong pixel is the same one, $first"
+press shift+w
+[[ "$(value pinned.x),$(value pinned.y)" == "$first" ]] || fail "not back at $first"
+[[ $(value pinned.oracle.triangle) != "$(value pinned.primary.triangle)" ]] || fail "the verdict names the triangle found"
+
+# A camera that moves is compared anew.
+hover 200 150
+hold && move_by 4 8 3 && let_go
+press Escape
+wait_for '^oracle.compared=[1-9]'
+press r
+wait_for "^oracle.wrong=$wrong$"
+
+# Nothing is wrong under the robust rules.
+choose "TRACING/rules" robust
+wait_for '^oracle.wrong=0$'
+press w
+[[ $(value pinned) == null ]] || fail "a pixel was pinned, and none is wrong"
+
+# Shadow rays have no nearest hit.
+choose "VIEW/rays" shadow
+wait_for 'choose primary or reflection rays'
+wait_for '^settings.view.map.rays=primary$'
+echo "passed"
