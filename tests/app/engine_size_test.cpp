@@ -1,29 +1,14 @@
 // How large the frames are that the engine traces and times, and what it says of them.
-#include <chrono>
-#include <gtest/gtest.h>
-#include <thread>
-
-#include "app/engine.h"
+#include "tests/app/engine_run.h"
 
 namespace kd {
 namespace {
 
 TEST(Engine, TimesFramesOfTheSizeThatIsAskedFor) {
-    Session session;
-    session.scene = "ball:300";
-    session.width = 64;
-    session.height = 48;
-    Engine engine(session, EngineOptions{});
-    const auto wait_until = [&](const auto& done) {
-        for (int i = 0; i < 10000 && !done(engine.state().duel); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            engine.poll();
-        }
-        return done(engine.state().duel);
-    };
-    ASSERT_TRUE(wait_until([](const DuelState& duel) { return duel.rounds.size() >= 2; }));
+    Engine engine(small_session(), EngineOptions{});
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.rounds.size() >= 2; }));
     engine.allow_duel(true, 4);
-    ASSERT_TRUE(wait_until([](const DuelState& duel) { return duel.scale == 4; }));
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.scale == 4; }));
     EXPECT_EQ(engine.state().duel.width, 16);
     EXPECT_EQ(engine.state().duel.height, 12);
     EXPECT_TRUE(engine.state().duel.chosen);

@@ -98,7 +98,7 @@ TEST(Engine, ACameraOnTheMoveEndsComparisonsOfFramesBefore) {
         session.camera = camera;
         engine.set_session(session);
         engine.poll();
-        std::this_thread::sleep_for(2ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     ASSERT_TRUE(settle(engine));
     ASSERT_NE(engine.state().judged(), nullptr);
