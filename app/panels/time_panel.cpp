@@ -165,7 +165,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const bool tall = ImGui::GetContentRegionAvail().y >= theme::px(tall_from);
     ImGui::Columns(tall ? 4 : 5, tall ? "tall" : "flat", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
-    const float widths[] = {theme::px(136), theme::px(160), theme::px(226), theme::px(160)};
+    const float widths[] = {theme::px(136), theme::px(168), theme::px(222), theme::px(160)};
     float used = 0;
     for (int i = 0; i < (tall ? 3 : 4); ++i) {
         ImGui::SetColumnWidth(i, widths[i]);

@@ -45,9 +45,9 @@ TEST_F(Typing, CharactersOfABurstGoTogether) {
     EXPECT_EQ(frames(), "abcabc ");
 }
 
-TEST_F(Typing, EachBackspaceHasAFrame) {
+TEST_F(Typing, EachBackspaceHasAFrameAndOneToBeReleasedIn) {
     for (int i = 0; i < 3; ++i) tap(GLFW_KEY_BACKSPACE);
-    EXPECT_EQ(frames(), "< < <  ");
+    EXPECT_EQ(frames(), "<  <  <  ");
 }
 
 TEST_F(Typing, BackspaceStaysBetweenItsCharacters) {
@@ -61,7 +61,7 @@ TEST_F(Typing, LettersWithCtrlAreKeysThatEdit) {
     tap(GLFW_KEY_V, GLFW_MOD_CONTROL);
     tap(GLFW_KEY_V, GLFW_MOD_CONTROL);
     type("x");
-    EXPECT_EQ(frames(), "V V x ");
+    EXPECT_EQ(frames(), "V  V x ");
 }
 
 TEST_F(Typing, WaitsForWhatAClickChose) {
