@@ -142,9 +142,7 @@ void add_categories(Column& column, const ScalarMap& map, const MapSummary& summ
     column.gap(8);
     for (std::size_t i = 0; i < map.categories.size(); ++i) {
         const auto pixels = std::ranges::count(map.values.pixels, float(i));
-        column.row(map.categories[i],
-                   fmt::format("{}  {}", number_text(double(pixels)), percent_text(double(pixels), all)),
-                   category_colour(int(i)));
+        column.row(map.categories[i], count_text(double(pixels), all), category_colour(int(i)));
     }
     for (const MapFact& fact : map.facts) column.row(fact.label, fact.value);
     if (summary.missing > 0) column.row("no value", percent_text(double(summary.missing), all), untraced_colour);

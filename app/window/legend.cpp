@@ -145,9 +145,7 @@ void add_categories(Card& card, const MapMeaning& map) {
     const double all = double(map.summary.count + map.summary.missing + map.summary.broken);
     card.gap(6);
     for (std::size_t i = 0; i < map.labels.categories.size(); ++i)
-        card.row(map.labels.categories[i],
-                 fmt::format("{}  {}", number_text(double(map.category_pixels[i])),
-                             percent_text(double(map.category_pixels[i]), all)),
+        card.row(map.labels.categories[i], count_text(double(map.category_pixels[i]), all),
                  colour_of(category_colour(int(i))));
     for (const MapFact& fact : map.labels.facts) card.row(fact.label, fact.value);
 }
