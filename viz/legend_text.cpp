@@ -65,10 +65,7 @@ void add_categories(LegendText& text, const ScalarMap& map, const MapSummary& su
                     std::span<const std::int64_t> pixels) {
     const double all = double(summary.count + summary.missing + summary.broken);
     for (std::size_t i = 0; i < map.categories.size(); ++i)
-        text.rows.push_back(
-            {map.categories[i],
-             fmt::format("{}  {}", number_text(double(pixels[i])), percent_text(double(pixels[i]), all)),
-             category_colour(int(i))});
+        text.rows.push_back({map.categories[i], count_text(double(pixels[i]), all), category_colour(int(i))});
     for (const MapFact& fact : map.facts) text.rows.push_back({fact.label, fact.value});
     if (summary.missing > 0)
         text.rows.push_back({"no value", percent_text(double(summary.missing), all), untraced_colour});

@@ -138,4 +138,8 @@ std::string percent_text(double part, double whole) {
     return fmt::format("{:.0f} %", percent);
 }
 
+std::string count_text(double part, double whole) {
+    return part > 0 ? number_text(part) + "  " + percent_text(part, whole) : "0";
+}
+
 }  // namespace kd

@@ -20,5 +20,7 @@ namespace kd {
 
 /// A share of 1 in percent: "12 %", "0.5 %", "< 0.1 %"; never "0 %" for what is there nor "100 %" for what is not all.
 [[nodiscard]] std::string percent_text(double part, double whole);
+/// How many and what share: "20 094  7.7 %"; "0" for none.
+[[nodiscard]] std::string count_text(double part, double whole);
 
 }  // namespace kd

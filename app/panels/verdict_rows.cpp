@@ -16,7 +16,7 @@ namespace {
 constexpr const char* none = "–";
 
 std::string error_text(const JudgedHit& judged, bool both_missed) {
-    if (both_missed) return none;
+    if (both_missed || judged.verdict == HitVerdict::unfinished) return none;
     return std::isfinite(judged.ulps) ? number_text(judged.ulps) + " ulp" : "one missed";
 }
 
@@ -75,10 +75,10 @@ void draw_wrong_pixels(const EngineState& state, Edit& edit) {
             : "";
     widgets::value("wrong pixels", text, "Of all that have such a ray." + bound, wrong > 0 ? theme::error : 0);
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (widgets::button("previous wrong", "Pins the wrong pixel before the pinned one. Key Shift W.", wrong > 0, half))
+    if (widgets::button("previous", "Pins the wrong pixel before the pinned one. Key Shift W.", wrong > 0, half))
         edits::pin_wrong(state, edit, true);
     ImGui::SameLine();
-    if (widgets::button("next wrong", "Pins the next wrong pixel. Key W.", wrong > 0, half))
+    if (widgets::button("next", "Pins the next wrong pixel. Key W.", wrong > 0, half))
         edits::pin_wrong(state, edit, false);
 }
 

@@ -24,7 +24,7 @@ grep -q "\"wrong\": $wrong," o.json || fail "render counts $(grep '"wrong"' o.js
 press w
 wait_for '^pinned.oracle.verdict=(missed|false hit|wrong triangle|t off)$'
 first="$(value pinned.x),$(value pinned.y)"
-click_on "PIXEL/next wrong"
+click_on "PIXEL/next"
 wait_for "^pinned.x=$(value pinned.x)$"
 second="$(value pinned.x),$(value pinned.y)"
 [[ $first != "$second" ]] || fail "the next wrong pixel is the same one, $first"

@@ -103,5 +103,11 @@ TEST(PercentText, NeverRoundsToNothingOrAll) {
     EXPECT_EQ(percent_text(1, 0), "0 %");
 }
 
+TEST(Numbers, CountsComeWithTheirShare) {
+    EXPECT_EQ(count_text(0, 500), "0");
+    EXPECT_EQ(count_text(5, 500), "5  1.0 %");
+    EXPECT_EQ(count_text(1, 1e6), "1  < 0.1 %");
+}
+
 }  // namespace
 }  // namespace kd
