@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
@@ -70,8 +71,12 @@ Camera pan(const Camera& camera, float right, float down) {
 Camera zoom(const Camera& camera, float factor, float scene_size) {
     constexpr double reach = 1e6;
     const double size = scene_size > 0 ? double(scene_size) : 1.0;
+    // Any closer, and single precision has no place left between eye and target to come back through.
+    constexpr double resolved = 4e-6;
+    const dvec3 place = glm::abs(dvec3(camera.target));
+    const double nearest = std::max(size / reach, resolved * std::max({place.x, place.y, place.z}));
     const double distance = glm::distance(dvec3(camera.eye), dvec3(camera.target)) * double(factor);
-    if ((factor < 1 && distance < size / reach) || (factor > 1 && distance > size * reach)) return camera;
+    if ((factor < 1 && distance < nearest) || (factor > 1 && distance > size * reach)) return camera;
     Camera next = camera;
     next.eye = Vec3(dvec3(camera.target) + double(factor) * (dvec3(camera.eye) - dvec3(camera.target)));
     return valid_or(next, camera);
