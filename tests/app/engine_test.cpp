@@ -1,5 +1,5 @@
 // The engine without a window: one way from session to picture, whatever happens on the way.
-#include "app/engine.h"
+#include "tests/app/engine_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,43 +14,9 @@
 namespace kd {
 namespace {
 
+using namespace test;
+
 using namespace std::chrono_literals;
-
-Session small_session(const std::string& scene = "ball:300") {
-    Session session;
-    session.scene = scene;
-    session.width = 64;
-    session.height = 48;
-    session.threads = 1;
-    return session;
-}
-
-EngineOptions quiet() {
-    EngineOptions options;
-    options.duel = false;
-    return options;
-}
-
-/// Polls until `done` holds; false after ten seconds.
-template <class Done>
-bool wait_until(Engine& engine, const Done& done) {
-    for (int i = 0; i < 10000; ++i) {
-        engine.poll();
-        if (done(engine.state())) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-bool settle(Engine& engine) {
-    return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working(); });
-}
-
-bool has_error(const EngineState& state, const std::string& part) {
-    for (const Message& message : state.messages)
-        if (message.error && message.text.find(part) != std::string::npos) return true;
-    return false;
-}
 
 TEST(Engine, ShowsTheWholePictureOfTheSessionItStartsWith) {
     Engine engine(small_session(), quiet());
@@ -92,72 +58,6 @@ TEST(Engine, TheLatestOfManySessionsWins) {
     EXPECT_EQ(engine.state().world->loaded->name, "ball:300");
     EXPECT_EQ(engine.state().world->built_with.leaf_size, 40);
     EXPECT_EQ(engine.state().picture->image.width, 79);
-}
-
-TEST(Engine, ComparesWithTheOracleWhereTheMapAsks) {
-    Session session = small_session("rooms");
-    session.trace.rules = Rules::as_published;
-    Engine engine(session, quiet());
-    ASSERT_TRUE(settle(engine));
-    EXPECT_EQ(engine.state().judged(), nullptr) << "costs only where asked for";
-    session.view.map.map = "oracle";
-    engine.set_session(session);
-    ASSERT_TRUE(settle(engine));
-    const JudgedLayer* judged = engine.state().judged();
-    ASSERT_NE(judged, nullptr);
-    EXPECT_EQ(judged->compared(), 64 * 48);
-    EXPECT_GT(judged->wrong(), 0);
-    ASSERT_TRUE(engine.state().picture->map);
-    EXPECT_EQ(engine.state().picture->map->category_pixels[std::size_t(HitVerdict::missed)],
-              judged->counts[std::size_t(HitVerdict::missed)]);
-
-    const auto wrong = next_wrong_pixel(*judged, {}, false);
-    ASSERT_TRUE(wrong);
-    engine.set_probes({}, wrong);
-    ASSERT_TRUE(engine.state().pinned && engine.state().pinned->oracle);
-    const OracleReading& reading = *engine.state().pinned->oracle;
-    EXPECT_TRUE(is_wrong(reading.judged.verdict));
-    EXPECT_EQ(reading.ray.origin, engine.state().camera.eye);
-
-    session.trace.rules = Rules::robust;
-    engine.set_session(session);
-    ASSERT_TRUE(settle(engine));
-    ASSERT_NE(engine.state().judged(), nullptr);
-    EXPECT_EQ(engine.state().judged()->wrong(), 0) << "another frame is compared anew";
-    EXPECT_FALSE(engine.state().judging.active);
-}
-
-TEST(Engine, ACameraOnTheMoveEndsComparisonsOfFramesBefore) {
-    Session session = small_session("rooms");
-    session.view.map.map = "oracle";
-    session.width = 200;
-    session.height = 150;
-    Engine engine(session, quiet());
-    ASSERT_TRUE(settle(engine));
-    Camera camera = engine.state().camera;
-    for (int i = 0; i < 30; ++i) {
-        camera.eye.x += 0.01f;
-        session.camera = camera;
-        engine.set_session(session);
-        engine.poll();
-        std::this_thread::sleep_for(2ms);
-    }
-    ASSERT_TRUE(settle(engine));
-    ASSERT_NE(engine.state().judged(), nullptr);
-    EXPECT_EQ(engine.state().picture->traced.camera.eye, camera.eye);
-    EXPECT_EQ(engine.state().judged()->wrong(), 0);
-}
-
-TEST(Engine, ShadowRaysAreNotComparedAndTheViewGoesBack) {
-    Engine engine(small_session(), quiet());
-    ASSERT_TRUE(settle(engine));
-    Session session = small_session();
-    session.view.map = {.map = "oracle", .rays = Pass::shade_prim};
-    engine.set_session(session);
-    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return !s.messages.empty(); }));
-    ASSERT_TRUE(settle(engine));
-    EXPECT_TRUE(has_error(engine.state(), "choose primary or reflection rays"));
-    EXPECT_EQ(engine.state().session.view.map.map, "nodes");
 }
 
 TEST(Engine, AnUnknownSceneKeepsTheOldOneAndSaysWhy) {

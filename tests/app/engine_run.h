@@ -1,0 +1,48 @@
+// An engine without a window, for tests: small pictures, no timing of its own.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "app/engine.h"
+
+namespace kd::test {
+
+inline Session small_session(const std::string& scene = "ball:300") {
+    Session session;
+    session.scene = scene;
+    session.width = 64;
+    session.height = 48;
+    session.threads = 1;
+    return session;
+}
+
+inline EngineOptions quiet() {
+    EngineOptions options;
+    options.duel = false;
+    return options;
+}
+
+/// Polls until `done` holds; false after ten seconds.
+template <class Done>
+bool wait_until(Engine& engine, const Done& done) {
+    for (int i = 0; i < 10000; ++i) {
+        engine.poll();
+        if (done(engine.state())) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+inline bool settle(Engine& engine) {
+    return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working(); });
+}
+
+inline bool has_error(const EngineState& state, const std::string& part) {
+    for (const Message& message : state.messages)
+        if (message.error && message.text.find(part) != std::string::npos) return true;
+    return false;
+}
+
+}  // namespace kd::test
