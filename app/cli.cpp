@@ -6,12 +6,15 @@
 #include <memory>
 #include <new>
 #include <ostream>
+#include <sstream>
 #include <version.h>
 
 #include "app/assets.h"
 #include "app/closest_name.h"
 #include "app/commands/commands.h"
+#include "app/error_text.h"
 #include "app/help_format.h"
+#include "app/printable_stream.h"
 #include "app/session.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/gl/gl_tracer.h"
@@ -37,6 +40,8 @@ std::string scene_list() {
         else
             entries.push_back({std::string(scene.name), std::string(scene.summary)});
     }
+    entries.push_back({"stress:CASE[=VALUE]",
+                       "The scene of a stability case (`kdscope stability --list`), at a value of its sweep."});
     for (const auto& file : shipped_scenes())
         entries.push_back({file.filename().string(), "A glTF scene that comes with the program."});
     entries.push_back({"FILE.gltf, FILE.glb", "Any glTF 2.0 file."});
@@ -49,6 +54,7 @@ std::string environment_list() {
                                      {"KDSCOPE_ASSETS", "Folder searched first for scenes that come with the program."},
                                      {"KDSCOPE_FONTS", "Folder searched first for fonts."},
                                      {"KD_SHADER_DIR", "Folder to read shaders from, instead of those built in."},
+                                     {"KDSCOPE_FAULT", "Faults of OpenGL to order, for tests: texels:N, lost:N, ..."},
                                      {"KD_GL_DEBUG", "1: Errors of OpenGL come with the driver's own words."}});
 }
 
@@ -133,14 +139,21 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
 }
 
 int run_and_flush(std::vector<std::string> arguments, CommandContext& context) {
-    const int code = parse_and_run(std::move(arguments), context);
-    if (!context.out.flush()) throw InputError("standard output: cannot be written to; is the disk full?");
+    PrintableStream out(context.out);
+    CommandContext clean{out, context.err, context.progress, context.stop};
+    const int code = parse_and_run(std::move(arguments), clean);
+    if (!out.flush()) throw InputError("standard output: cannot be written to; is the disk full?");
     return code;
 }
 
 int fail(CommandContext& context, int code, const std::string& line) {
     context.out.flush();
-    context.err << "kdscope: " << printable(line, 4000) << '\n' << std::flush;
+    // One line; a compiler's log, which names files and lines, has its own.
+    std::istringstream lines(line);
+    std::string each;
+    std::string_view before = "kdscope: ";
+    for (; std::getline(lines, each); before = "") context.err << before << printable(each, 4000) << '\n';
+    context.err << std::flush;
     return code;
 }
 
@@ -161,8 +174,8 @@ int run_cli(std::vector<std::string> arguments, CommandContext& context) noexcep
         return fail(context, exit_no_display, error.what());
     } catch (const GlError& error) {
         return fail(context, exit_no_display, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(context, exit_usage, "not enough memory; use a smaller scene or picture");
+    } catch (const std::bad_alloc& error) {
+        return fail(context, exit_usage, error_text(error, "the work"));
     } catch (const std::exception& error) {
         return fail(context, exit_check_failed, fmt::format("unexpected error: {}", error.what()));
     }

@@ -136,15 +136,21 @@ void add_camera_options(CLI::App& app, CommonOptions& o) {
         if (!(degrees > 0.0f && degrees <= 179.9f)) refuse(fmt::format("{} is not an angle in (0, 179.9]", degrees));
         return degrees;
     };
+    const auto direction = [](Vec3 up) {
+        if (up == Vec3(0)) refuse("up is 0,0,0, which is no direction");
+        return up;
+    };
     add("--camera", "TEXT", "All at once: \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"",
-        [&camera, angle](const std::string& text) {
+        [&camera, angle, direction](const std::string& text) {
             const std::vector<float> v = parse_floats(text);
             if (v.size() != 10) refuse(fmt::format("'{}' is not \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", text));
+            (void)direction(Vec3(v[6], v[7], v[8]));
             camera = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]), angle(v[9])};
         });
     add("--eye", "X,Y,Z", "Where the camera is", [&camera](const std::string& t) { camera.eye = parse_vec3(t); });
     add("--target", "X,Y,Z", "What it looks at", [&camera](const std::string& t) { camera.target = parse_vec3(t); });
-    add("--up", "X,Y,Z", "Which way is up", [&camera](const std::string& t) { camera.up = parse_vec3(t); });
+    add("--up", "X,Y,Z", "Which way is up",
+        [&camera, direction](const std::string& t) { camera.up = direction(parse_vec3(t)); });
     add("--fov", "DEGREES", "Full vertical angle of view", [&camera, angle](const std::string& text) {
         const std::vector<float> v = parse_floats(text);
         if (v.size() != 1) refuse(fmt::format("'{}' is not a number of degrees", text));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/io/printable.h"
+
 namespace kd {
 
 namespace {
@@ -41,6 +43,7 @@ Engine::~Engine() = default;
 double Engine::now() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
 void Engine::say(bool error, std::string text) {
+    text = printable(text, 4000);
     state_.messages.push_back({error, std::move(text), now()});
     if (state_.messages.size() > most_messages) state_.messages.erase(state_.messages.begin());
 }
@@ -76,12 +79,41 @@ void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<Pixe
     read_probes();
 }
 
+void Engine::run_case(const std::string& id, bool all_traversals) {
+    StabilityConfig config;
+    config.cases = {id};
+    const Session& s = state_.session;
+    config.rules = s.trace.rules;
+    if (!all_traversals && s.trace.traversal != Traversal::naive)
+        config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_case(config);
+}
+
+void Engine::run_sweep(const std::string& id) {
+    const Session& s = state_.session;
+    SweepConfig config;
+    config.id = id;
+    if (s.trace.traversal != Traversal::naive) config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_sweep(config);
+}
+
 void Engine::note_input() {
     last_input_ = now();
     stop_duel();
 }
 
-void Engine::allow_duel(bool allowed) {
+void Engine::allow_duel(bool allowed, int scale) {
+    if (allowed && scale != duel_scale_) {
+        duel_scale_ = scale;
+        duel_of_ = 0;  // what was measured is of frames of another size
+        stop_duel();
+    }
     options_.duel = allowed;
     if (!allowed) stop_duel();
 }

@@ -43,9 +43,17 @@ class Engine {
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
     void cancel_build();
+    /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
+    /// rules; what ran before is dropped.
+    void run_case(const std::string& id, bool all_traversals);
+    /// The same with its sweep, by the session's traversal.
+    void run_sweep(const std::string& id);
+    void cancel_stability() { stability_.cancel(); }
     /// A person did something: no duel for a while.
     void note_input();
-    void allow_duel(bool allowed);
+    /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
+    /// choice.
+    void allow_duel(bool allowed, int scale = 0);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -65,6 +73,7 @@ class Engine {
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
     void start_trace();
+    void note_gl(const GlStatus& gl);
     void receive(TracedFrame traced);
     void start_judging();
     void receive_judged(const TracedFrame& judged);
@@ -98,10 +107,12 @@ class Engine {
     TraceRequest duel_failed_;   // its world and configuration cannot be timed
     std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
+    int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;
     bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
+    StabilityBench stability_{mailbox_, state_.stability};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

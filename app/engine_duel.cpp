@@ -1,6 +1,9 @@
 #include "app/engine_duel.h"
 
+#include <algorithm>
 #include <vector>
+
+#include "app/engine_levels.h"
 
 namespace kd {
 
@@ -15,7 +18,16 @@ TimeSummary summary_of(const std::deque<DuelRound>& rounds, const Value& value) 
     return samples.empty() ? TimeSummary{} : summarise(std::move(samples));
 }
 
+constexpr double good_frame_ms = 500, longest_frame_ms = 2000;
+
 }  // namespace
+
+int duel_scale(int before, const std::function<double(int)>& predicted_ms) {
+    if (before > 0 && predicted_ms(before) <= longest_frame_ms) return before;
+    int scale = std::max(before, 1);
+    while (scale < LevelPlan::coarsest && predicted_ms(scale) > good_frame_ms) scale *= 2;
+    return scale;
+}
 
 void DuelState::add(const DuelRound& round) {
     rounds.push_back(round);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <string>
 
 #include "renderer/measure/timing.h"
@@ -27,6 +28,7 @@ struct Spread {
 struct DuelState {
     int width = 0, height = 0;     // of the frame timed
     int scale = 1;                 // 1 = as large as the picture, 2 = half of it along each side
+    bool chosen = false;           // that scale by a person, not by the program
     std::int64_t rays = 0;         // that one frame traces, all passes
     std::deque<DuelRound> rounds;  // newest last, all of the same frame
     TimeSummary cpu, gl;
@@ -46,5 +48,10 @@ struct DuelState {
     static constexpr int least_rounds = 3;
     static constexpr std::size_t history = 60;
 };
+
+/// The scale at which frames are timed unless a person chooses: the finest at which one is predicted to take no longer
+/// than half a second, then kept; only where one would take longer than two seconds a coarser one follows. `before` is
+/// the scale so far, 0 where scene or picture size are new.
+[[nodiscard]] int duel_scale(int before, const std::function<double(int)>& predicted_ms);
 
 }  // namespace kd

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "viz/legend_text.h"
+
 namespace kd {
 
 namespace {
@@ -24,6 +26,7 @@ TracedFrame thin_out(const TracedFrame& traced, const ViewConfig& view) {
     frame->colour = thin_out(traced.frame->colour);
     frame->width = frame->colour.width;
     frame->height = frame->colour.height;
+    frame->exponent = traced.frame->exponent;
     for (const Pass pass : {Pass::rt_prim, view.map.rays}) {
         frame->layer(pass).hit = thin_out(traced.frame->layer(pass).hit);
         frame->layer(pass).counters = thin_out(traced.frame->layer(pass).counters);
@@ -81,9 +84,7 @@ const JudgedLayer* judged_of(const PaintRequest& request) {
 }
 
 MapMeaning meaning_of(MapView view) {
-    MapMeaning meaning{{}, std::move(view.summary), {}};
-    for (std::size_t i = 0; i < view.map.categories.size(); ++i)
-        meaning.category_pixels.push_back(std::ranges::count(view.map.values.pixels, float(i)));
+    MapMeaning meaning{{}, std::move(view.summary), count_categories(view.map)};
     view.map.values = {};
     meaning.labels = std::move(view.map);
     return meaning;

@@ -14,7 +14,8 @@ std::optional<PixelReading> read_pixel(const Frame& frame, PixelPosition pixel, 
     PixelReading reading{pixel, scale, {}, {}};
     for (int p = 0; p < pass_count; ++p) {
         const RayLayer& layer = frame.layers[std::size_t(p)];
-        reading.passes[std::size_t(p)] = {ray_traced(frame, Pass(p), i), layer.hit.pixels[i], layer.counters.pixels[i]};
+        reading.passes[std::size_t(p)] = {ray_traced(frame, Pass(p), i), layer.hit.pixels[i], layer.counters.pixels[i],
+                                          in_scene_units(frame, layer.hit.pixels[i]).t};
     }
     return reading;
 }

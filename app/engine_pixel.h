@@ -19,6 +19,7 @@ struct PassReading {
     bool traced = false;
     Hit hit{-1, 0.0f, 0.0f, 0.0f};
     RayCounters counters{};
+    float distance = 0;  // hit.t in scene units
 };
 
 /// What the oracle says of the ray of a pixel; lengths in scene units.

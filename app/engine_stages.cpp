@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "app/engine.h"
+#include "app/error_text.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/timing.h"
 
@@ -41,7 +43,7 @@ void Engine::start_load() {
         try {
             loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, name);
         }
         mailbox_.post([this, name, seed, loaded, error] {
             if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
@@ -92,7 +94,7 @@ void Engine::start_build() {
             world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the tree");
         }
         const bool stopped = stop.stop_requested();
         mailbox_.post([this, world, error, stopped] {
@@ -154,20 +156,30 @@ void Engine::start_trace() {
                 request, stop, [this](TracedFrame f) { mailbox_.post([this, f = std::move(f)] { receive(f); }); },
                 [this](float fraction) { trace_fraction_ = fraction; });
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the picture");
         }
         const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
         mailbox_.post([this, gl, error, ticket, tracer = request.tracer] {
-            if (gl.known) state_.gl = gl;
+            note_gl(gl);
             if (ticket == trace_ticket_) state_.tracing = {};
             if (error.empty()) return;
-            say(true, error);
+            if (error != gl.unavailable || !gl.fails) say(true, error);
             if (tracer == TracerKind::cpu || state_.session.tracer != tracer) return;
             Session back = state_.session;
             back.tracer = TracerKind::cpu;
             set_session(back);
         });
     });
+}
+
+/// Tells what happened to the GPU since.
+void Engine::note_gl(const GlStatus& gl) {
+    if (!gl.known) return;
+    const GlStatus before = std::exchange(state_.gl, gl);
+    if (gl.losses > before.losses && gl.available()) say(true, "the GPU was reset; its context was made anew");
+    if (!gl.fails || before.fails) return;
+    say(true, gl.unavailable + " (the CPU traces now)");
+    state_.messages.back().stays = true;
 }
 
 void Engine::receive(TracedFrame traced) {
@@ -247,7 +259,7 @@ void Engine::paint_and_show(std::uint64_t ticket, const ViewConfig& view, const 
     try {
         mailbox_.post([this, ticket, shown = std::make_shared<const Picture>(work())] { show(shown, ticket); });
     } catch (const std::exception& e) {
-        mailbox_.post([this, error = std::string(e.what()), view] { fail_paint(error, view); });
+        mailbox_.post([this, error = error_text(e, "the picture"), view] { fail_paint(error, view); });
     }
 }
 
@@ -270,36 +282,43 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (state_.stability.active) return;  // it takes all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
     if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
     duelling_ = true;
     state_.duel.running = true;
-    tracer_.submit([this, request = trace_request(), generation = trace_generation_](const std::stop_token& stop) {
+    TraceRequest timed = trace_request();
+    timed.duel_scale = duel_scale_;
+    tracer_.submit([this, request = timed, generation = trace_generation_](const std::stop_token& stop) {
         std::optional<DuelReply> reply;
         std::string error;
         double took = 0;
         try {
             took = 1e-3 * wall_ms([&] { reply = tracing_->duel(request, stop); });
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the frame");
         }
-        mailbox_.post([this, reply, error, took, request, generation] {
+        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
+        mailbox_.post([this, reply, error, took, request, generation, gl] {
+            note_gl(gl);
             duelling_ = state_.duel.running = false;
             duel_ended_ = now();
             duel_took_ = took;
             if (!error.empty()) {
-                say(true, "timing: " + error);
+                if (!gl.fails) say(true, "timing: " + error);
                 duel_failed_ = request;
             }
-            if (reply && generation == trace_generation_) receive(*reply);
+            if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
         });
     });
 }
 
 void Engine::receive(const DuelReply& reply) {
     DuelState& duel = state_.duel;
+    // Rounds of another size are no rounds of this frame.
+    if (!duel.rounds.empty() && !duel_warm_ && duel.scale != reply.scale) duel_of_ = 0;
     if (duel_of_ != trace_generation_) {  // the first round of a frame warms up and is not counted
         duel_of_ = trace_generation_;
         duel_warm_ = true;
@@ -312,6 +331,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.width = reply.width;
     duel.height = reply.height;
     duel.scale = reply.scale;
+    duel.chosen = duel_scale_ > 0;
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;

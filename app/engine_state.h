@@ -10,6 +10,7 @@
 
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
+#include "app/engine_stability.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
@@ -17,6 +18,7 @@
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
 #include "viz/figure.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -34,6 +36,7 @@ struct TracedFrame {
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
     std::uint64_t generation = 0;  // EngineState::generation that it answers
+    UnfinishedPixels unfinished;   // of the frame's own pixels
 };
 
 /// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
@@ -69,7 +72,8 @@ struct Progress {
 struct Message {
     bool error = false;
     std::string text;
-    double time = 0;  // Engine::now() when it came
+    double time = 0;     // Engine::now() when it came
+    bool stays = false;  // until it is dismissed
 };
 
 /// The GPU side as it was found.
@@ -79,6 +83,8 @@ struct GlStatus {
     std::string version;
     bool software = false;
     std::string unavailable;  // why there is none, one line
+    bool fails = false;       // there is one, but it cannot be relied on: its self-test, its shaders, its resets
+    int losses = 0;           // contexts that were lost
     [[nodiscard]] bool available() const { return known && unavailable.empty(); }
 };
 
@@ -93,6 +99,7 @@ struct EngineState {
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
+    StabilityState stability;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

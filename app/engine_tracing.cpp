@@ -12,9 +12,6 @@ namespace kd {
 
 namespace {
 
-/// A duel's frame is made smaller until the CPU is predicted to need no more than this.
-constexpr double longest_duel_frame_ms = 500;
-
 FrameTask task_of(const TraceRequest& request) {
     return {request.world, request.config, pinhole(request.camera, request.width, request.height), request.threads,
             request.early_z};
@@ -31,10 +28,33 @@ const GlStatus& Tracing::open() {
         status_.renderer = context_->renderer();
         status_.version = context_->version();
         status_.software = context_->is_software();
+        gl_ = make_gl_source(*context_);
     } catch (const std::exception& error) {
         status_.unavailable = error.what();
+        status_.fails = dynamic_cast<const GlError*>(&error) != nullptr;
+        context_.reset();
     }
     return status_;
+}
+
+/// Everything that was in it goes with it. A GPU that is reset again at once is not asked a third time.
+void Tracing::replace_context(const ContextLost& lost) {
+    constexpr std::chrono::seconds too_soon(10);
+    gl_.reset();
+    context_.reset();
+    const auto now = std::chrono::steady_clock::now();
+    const bool again = lost_at_ && now - *lost_at_ < too_soon;
+    lost_at_ = now;
+    const int losses = status_.losses + 1;
+    status_ = GlStatus{};
+    status_.losses = losses;
+    if (!again) {
+        (void)open();
+        return;
+    }
+    status_.known = status_.fails = true;
+    status_.unavailable = std::string(lost.what()) + ", twice within 10 s";
+    throw ContextError(status_.unavailable);
 }
 
 FrameSource& Tracing::source(TracerKind kind) {
@@ -42,8 +62,8 @@ FrameSource& Tracing::source(TracerKind kind) {
         if (!cpu_) cpu_ = make_cpu_source();
         return *cpu_;
     }
-    if (!open().available()) throw ContextError("GPU tracing needs OpenGL 4.3: " + status_.unavailable);
-    if (!gl_) gl_ = make_gl_source(*context_);
+    if (!open().available())
+        throw ContextError((status_.fails ? "" : "GPU tracing needs OpenGL 4.3: ") + status_.unavailable);
     return *gl_;
 }
 
@@ -57,6 +77,27 @@ void Tracing::forget_speed_of_others(const TraceRequest& request) {
 
 void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
                     const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress) {
+    while (true) {
+        try {
+            return trace_levels(request, stop, publish, progress);
+        } catch (const ContextLost& lost) {
+            replace_context(lost);  // throws where it is of no use
+        }
+    }
+}
+
+std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::stop_token& stop) {
+    try {
+        return duel_round(request, stop);
+    } catch (const ContextLost& lost) {
+        replace_context(lost);
+        return std::nullopt;  // another round comes
+    }
+}
+
+void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& stop,
+                           const std::function<void(TracedFrame)>& publish,
+                           const std::function<void(float)>& progress) {
     forget_speed_of_others(request);
     FrameSource& machine = source(request.tracer);
     const FrameTask task = task_of(request);
@@ -89,27 +130,37 @@ void Tracing::trace(const TraceRequest& request, const std::stop_token& stop,
                  machine.clock(),
                  needs,
                  omitted,
-                 request.generation});
+                 request.generation,
+                 count_unfinished(*frame)});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }
 
-std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::stop_token& stop) {
-    int scale = 1;
-    while (scale < LevelPlan::coarsest &&
-           plan_.predicted_ms(scale, request.width, request.height) > longest_duel_frame_ms)
-        scale *= 2;
+int Tracing::scale_to_time(const TraceRequest& request) {
+    if (request.duel_scale > 0) return request.duel_scale;
+    const auto& scene = request.world->loaded;
+    if (duel_scene_.lock() != scene || duel_width_ != request.width || duel_height_ != request.height) duel_scale_ = 0;
+    duel_scene_ = scene;
+    duel_width_ = request.width;
+    duel_height_ = request.height;
+    duel_scale_ =
+        duel_scale(duel_scale_, [&](int scale) { return plan_.predicted_ms(scale, request.width, request.height); });
+    return duel_scale_;
+}
+
+std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const std::stop_token& stop) {
+    const int scale = scale_to_time(request);
     DuelReply reply;
     reply.scale = scale;
     reply.width = scaled_size(request.width, scale);
     reply.height = scaled_size(request.height, scale);
     FrameTask task = task_of(request);
-    if (counted_for_.generation != request.generation || counted_for_.width != reply.width) {
+    if (counted_generation_ != request.generation || counted_width_ != reply.width) {
         const RayCounts counts = count_rays(request.world->scene(), request.world->tree, task.config, task.camera,
                                             reply.width, reply.height);
         rays_ = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
-        counted_for_ = request;
-        counted_for_.width = reply.width;
+        counted_generation_ = request.generation;
+        counted_width_ = reply.width;
     }
     reply.rays = rays_;
     task.config.counters = false;

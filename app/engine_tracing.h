@@ -1,8 +1,10 @@
 // The tracing thread's work: pictures from coarse to fine, and the rounds of CPU against GPU.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include "app/engine_duel.h"
@@ -25,6 +27,7 @@ struct TraceRequest {
     int threads = 0;
     EarlyZ early_z = EarlyZ::working;
     std::uint64_t generation = 0;
+    int duel_scale = 0;  // of the frames that a duel times; 0 = the program's choice
 };
 
 /// What a round of the duel needs to know and finds out.
@@ -41,7 +44,7 @@ class Tracing {
   public:
     explicit Tracing(OpenGl open_gl) : open_gl_(std::move(open_gl)) {}
 
-    /// Opens GL where there is some, once.
+    /// Opens GL where there is some, once, and tests it.
     const GlStatus& open();
 
     /// Frames of the request, coarse to fine, each handed to `publish`; ends early where stopped. InputError, GlError
@@ -54,17 +57,27 @@ class Tracing {
 
   private:
     FrameSource& source(TracerKind kind);
+    void trace_levels(const TraceRequest& request, const std::stop_token& stop,
+                      const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
+    std::optional<DuelReply> duel_round(const TraceRequest& request, const std::stop_token& stop);
+    void replace_context(const ContextLost& lost);
     void forget_speed_of_others(const TraceRequest& request);
+    int scale_to_time(const TraceRequest& request);
 
     OpenGl open_gl_;
     GlStatus status_;
-    std::unique_ptr<Context> context_;  // before the source that lives in it
+    std::optional<std::chrono::steady_clock::time_point> lost_at_;  // when a context was lost last
+    std::unique_ptr<Context> context_;                              // before the source that lives in it
     std::unique_ptr<FrameSource> cpu_, gl_;
     FramePool frames_;
     LevelPlan plan_;
     TraceRequest planned_for_;
-    TraceRequest counted_for_;  // whose rays `rays_` are
-    std::int64_t rays_ = 0;
+    std::int64_t rays_ = 0;  // of the frame that the next two say
+    std::uint64_t counted_generation_ = 0;
+    int counted_width_ = 0;
+    int duel_scale_ = 0;  // the program's choice, for this scene and size of the picture
+    std::weak_ptr<const LoadedScene> duel_scene_;
+    int duel_width_ = 0, duel_height_ = 0;
 };
 
 }  // namespace kd

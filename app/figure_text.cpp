@@ -70,10 +70,10 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
 
 std::string caption_of(const FigureFacts& f) {
     return fmt::format(
-        "{}, {} triangles; {}; {} traversal, {} rules, {}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
-        f.scene, number_text(double(f.triangles)), tree_text(f.build), info(f.trace.traversal).name,
-        info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), differences(f), tracer_text(f), f.width,
-        f.height, time_text(f), build::version);
+        "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
+        f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build),
+        info(f.trace.traversal).name, info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), differences(f),
+        tracer_text(f), f.width, f.height, time_text(f), build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

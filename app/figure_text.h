@@ -16,7 +16,7 @@ struct FigureFacts {
     BuildConfig build;
     TraceConfig trace;
     EarlyZ early_z = EarlyZ::working;
-    std::optional<Camera> camera;  // the scene's own where absent
+    std::optional<Camera> camera;  // the scene's own where absent; in scene units
     unsigned seed = 1;
     TracerKind tracer = TracerKind::cpu;
     std::string renderer;
@@ -32,7 +32,7 @@ struct FigureFacts {
 /// All that was chosen and what it took, in one line; seldom changed settings only where they differ from the default.
 [[nodiscard]] std::string caption_of(const FigureFacts& facts);
 
-/// Title, caption, program, and settings to make the picture again: `session` showing `view`.
+/// Title, caption, program, and settings to make the picture again: `session`, in scene units, showing `view`.
 [[nodiscard]] PngText png_text(const std::string& title, const std::string& caption, const Session& session,
                                const ViewConfig& view);
 

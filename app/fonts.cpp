@@ -41,11 +41,21 @@ std::vector<fs::path> font_folders() {
     return folders;
 }
 
+/// The face in a file; nothing where that is none or cannot be read.
+std::optional<Font> read_font(const fs::path& file) {
+    try {
+        const std::string bytes = read_file(file, std::size_t(64) << 20);
+        return Font::from_bytes(std::as_bytes(std::span(bytes)));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 std::optional<fs::path> find_first(const std::vector<fs::path>& folders, const auto& files) {
     for (const std::string_view file : files)
         for (const fs::path& folder : folders) {
             std::error_code error;
-            if (fs::is_regular_file(folder / file, error)) return folder / file;
+            if (fs::is_regular_file(folder / file, error) && read_font(folder / file)) return folder / file;
         }
     return std::nullopt;
 }
@@ -59,13 +69,7 @@ FontFiles find_fonts() {
 
 Font picture_font() {
     const std::optional<fs::path> file = find_fonts().text;
-    if (!file) return {};
-    try {
-        const std::string bytes = read_file(*file, std::size_t(64) << 20);
-        return Font::from_bytes(std::as_bytes(std::span(bytes)));
-    } catch (const InputError&) {
-        return {};
-    }
+    return file ? read_font(*file).value_or(Font{}) : Font{};
 }
 
 }  // namespace kd

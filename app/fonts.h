@@ -15,7 +15,7 @@ struct FontFiles {
     std::optional<std::filesystem::path> code;  // fixed width
 };
 
-/// Looks in $KDSCOPE_FONTS, the user's font folder and the system's.
+/// Looks in $KDSCOPE_FONTS, the user's font folder and the system's; passes over files that are no fonts.
 [[nodiscard]] FontFiles find_fonts();
 
 /// The text font for pictures; the built-in dots where none is installed or it cannot be read.

@@ -1,6 +1,7 @@
 #include "app/frame_summary.h"
 
 #include "renderer/measure/stability/stability.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -25,6 +26,15 @@ Json counters_json(const Frame& frame, const std::optional<RayCounts>& rays) {
     return counters;
 }
 
+/// Pixels that have no answer, by reason.
+Json unfinished_json(const Frame& frame) {
+    const UnfinishedPixels unfinished = count_unfinished(frame);
+    Json json{{"pixels", unfinished.pixels}};
+    for (uint reason = KD_EXIT_HIT + 1; reason < unfinished.by_reason.size(); ++reason)
+        json[json_key(exit_reason_name(reason))] = unfinished.by_reason[reason];
+    return json;
+}
+
 /// Counts of every verdict; the error of t among the hits that are right.
 Json judged_json(const JudgedLayer& judged) {
     Json json{{"rays", json_key(ray_names[std::size_t(judged.rays)])}, {"compared", judged.compared()}};
@@ -38,7 +48,7 @@ Json judged_json(const JudgedLayer& judged) {
 }  // namespace
 
 Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
-    Json settings = json_of(s.session);
+    Json settings = json_of(in_scene_units(s.session, s.scene));
     settings["view"] = json_of(s.session.view);
     Json json{
         {"settings", settings},
@@ -51,6 +61,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"shaded_pixels", by_pass(s.time.shaded_pixels)},
         {"left_out", s.left_out},
         {"counters", counters_json(s.frame, rays)},
+        {"unfinished", unfinished_json(s.frame)},
     };
     if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
     return json;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/gl_frame.h"
 #include "app/machine_info.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
@@ -60,27 +61,7 @@ class GlFrameTracer final : public FrameTracer {
                     const std::function<void(float)>& progress) override {
         context_->make_current();
         warm_up(config, camera, width, height);
-        const int rows = progress ? std::max(1, pixels_per_band / width) : height;
-        FrameTime time;
-        for (int y = 0; y < height; y += rows) {
-            if (stop.stop_requested()) {
-                time.complete = false;
-                break;
-            }
-            const Tile band{0, y, width, std::min(y + rows, height)};
-            const GlFrameReport report = tracer_->draw(complete(config), camera, width, height, band);
-            clock_ = report.clock;
-            time.total_ms += report.total_ms;
-            for (std::size_t pass = 0; pass < pass_count; ++pass) {
-                if (report.pass_ms[pass] > 0)
-                    time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
-                if (report.shaded_pixels[pass] >= 0)
-                    time.shaded_pixels[pass] =
-                        std::max(time.shaded_pixels[pass], std::int64_t(0)) + report.shaded_pixels[pass];
-            }
-            if (progress) progress(float(band.y1) / float(height));
-        }
-        return time;
+        return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
     }
 
     [[nodiscard]] Frame frame(const TraceConfig& config) override {
@@ -88,11 +69,11 @@ class GlFrameTracer final : public FrameTracer {
         return tracer_->read_frame(config);
     }
     [[nodiscard]] std::string renderer() const override { return context_->renderer(); }
-    [[nodiscard]] std::string clock() const override { return clock_; }
+    [[nodiscard]] std::string clock() const override { return drawer_.clock(); }
     [[nodiscard]] bool software_gl() const override { return context_->is_software(); }
 
   private:
-    static constexpr int pixels_per_band = 32768;
+    static constexpr double tile_ms = 100;  // drivers give up on draws that take seconds
 
     [[nodiscard]] GlTraceConfig complete(const TraceConfig& config) const {
         return {.trace = config, .early_z = choices_.early_z, .count_shaded = choices_.count_shaded};
@@ -109,7 +90,7 @@ class GlFrameTracer final : public FrameTracer {
     GlChoices choices_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<GlTracer> tracer_;
-    std::string clock_ = "not read";
+    GlFrameDrawer drawer_{tile_ms};
     std::optional<TraceConfig> warm_;
 };
 

@@ -7,11 +7,18 @@
 
 #include "app/cli.h"
 #include "app/interrupt.h"
+#include "app/output_file.h"
 
 int main(int argc, char** argv) {
     kd::Interrupt interrupt;
     std::ios::sync_with_stdio(false);
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+    try {
+        kd::check_standard_output();
+    } catch (const std::exception& error) {
+        std::cerr << "kdscope: " << error.what() << '\n';
+        return kd::exit_usage;
+    }
     kd::CommandContext context{std::cout, std::cerr, ::isatty(STDERR_FILENO) == 1, interrupt.token()};
     return kd::run_cli(arguments, context);
 }

@@ -1,10 +1,14 @@
 #include "app/output_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -30,9 +34,12 @@ int try_to_make_file(const fs::path& folder) {
     std::string name = (folder / ".kdscope-XXXXXX").string() + std::string(suffix);
     const int file = ::mkstemps(name.data(), int(suffix.size()));
     if (file < 0) return errno;
-    ::close(file);
+    // An empty file can be made on a full disk, and beyond a quota.
+    constexpr std::array<char, 4096> block{};
+    int error = ::write(file, block.data(), block.size()) == ssize_t(block.size()) && ::fsync(file) == 0 ? 0 : errno;
+    if (::close(file) != 0 && error == 0) error = errno;
     ::unlink(name.c_str());
-    return 0;
+    return error;
 }
 
 bool is_device(const fs::path& file) {
@@ -40,12 +47,18 @@ bool is_device(const fs::path& file) {
     return fs::exists(file, error) && !fs::is_regular_file(file, error);
 }
 
+/// /dev/full of Linux: a device that takes nothing. Others cannot be tried without leaving something in them.
+bool is_always_full(const struct stat& status) { return S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 7); }
+
 void check_place(const OutputFile& output) {
     std::error_code error;
     const fs::path file(output.path);
     if (fs::is_directory(file, error)) fail(output, "it is a directory; name a file in it");
     if (is_device(file)) {
         if (::access(file.c_str(), W_OK) != 0) fail(output, std::strerror(errno));
+        if (fs::is_socket(file, error)) fail(output, "it is a socket; name a file");
+        if (struct stat status{}; ::stat(file.c_str(), &status) == 0 && is_always_full(status))
+            fail(output, std::strerror(ENOSPC));
         return;
     }
     // What is written is a new file in the folder, renamed when it is whole.
@@ -67,6 +80,14 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 }  // namespace
+
+void check_standard_output() {
+    struct stat status {};
+    const bool open = ::fstat(STDOUT_FILENO, &status) == 0 && (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) != O_RDONLY;
+    if (!open) throw InputError("standard output: it is closed; direct it to a file or to /dev/null");
+    if (is_always_full(status))
+        throw InputError(fmt::format("standard output: cannot be written to: {}", std::strerror(ENOSPC)));
+}
 
 void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs) {
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {

@@ -20,8 +20,11 @@ struct InputFile {
     std::string path;       // may be no file at all
 };
 
+/// InputError where the program's standard output is closed, or a device that takes nothing.
+void check_standard_output();
+
 /// InputError naming the option where a file cannot be written, is one of `inputs`, or is written twice. Tries each
-/// folder by making a file in it and removing that again; what stands there already is left alone.
+/// folder by writing a small file in it and removing that again; what stands there already is left alone.
 void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs);
 
 }  // namespace kd

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <ostream>
 
+#include "renderer/io/printable.h"
+
 namespace kd {
 
 namespace {
@@ -24,7 +26,8 @@ void ProgressLine::show(float fraction, const std::string& what) {
     drawn_ = true;
     const int filled = std::clamp(int(fraction * float(bar_width)), 0, bar_width);
     err_ << wipe
-         << fmt::format("[{:=<{}}{:<{}}] {:3.0f} %  {}", "", filled, "", bar_width - filled, 100 * fraction, what)
+         << fmt::format("[{:=<{}}{:<{}}] {:3.0f} %  {}", "", filled, "", bar_width - filled, 100 * fraction,
+                        printable(what))
          << std::flush;
 }
 

@@ -47,7 +47,7 @@ FigureFacts facts_of(const Rendering& r) {
             .build = r.session.build,
             .trace = r.session.trace,
             .early_z = r.session.early_z,
-            .camera = r.session.camera,
+            .camera = in_scene_units(r.session, r.scene).camera,
             .seed = r.session.seed,
             .tracer = r.session.tracer,
             .renderer = r.renderer,
@@ -66,7 +66,7 @@ void write_picture(const std::string& path, const Rendering& r, const ViewConfig
     const Image<Rgba8> image =
         bare ? make_picture(r.frame, r.tree, r.scene.camera, view, judged)
              : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, judged);
-    write_png(path, image, png_text(title, caption, r.session, view));
+    write_png(path, image, png_text(title, caption, in_scene_units(r.session, r.scene), view));
 }
 
 }  // namespace kd

@@ -23,7 +23,7 @@ struct Session {
     TraceConfig trace;
     TracerKind tracer = TracerKind::cpu;
     EarlyZ early_z = EarlyZ::working;  // of the four passes
-    std::optional<Camera> camera;      // the scene's own where absent
+    std::optional<Camera> camera;      // the scene's own where absent; in the scene's internal units
     ViewConfig view;
     int width = 512, height = 512;
     int threads = 0;  // 0 = all
@@ -31,7 +31,14 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// A procedural scene ("ball:9000"), a .gltf or .glb file, or the name of a scene that comes with the program.
+/// "300 triangles, 1 material, 0 textures, 1 light".
+[[nodiscard]] std::string contents_text(const FlatScene& scene);
+
+/// The session with its camera in scene units, as people and files have it; here it is in the scene's internal ones.
+[[nodiscard]] Session in_scene_units(Session session, const FlatScene& scene);
+
+/// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a scene
+/// that comes with the program.
 /// InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
 

@@ -3,7 +3,9 @@
 
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
-find_package(TBB REQUIRED COMPONENTS tbb)
+if(KD_WITH_TBB)
+    find_package(TBB REQUIRED COMPONENTS tbb)
+endif()
 find_package(hwy REQUIRED)
 find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# setup-packages.sh run|test: installs the Debian packages that building (and testing) needs and that are missing.
+# setup-packages.sh run|test|long: installs the Debian packages that building (testing, fuzzing) needs and that are missing.
 # Says nothing when none is missing. Exit 2 when packages are missing and cannot be installed from here.
 set -euo pipefail
 export LC_ALL=C
@@ -14,13 +14,16 @@ build_packages=(
 test_packages=(
     libgtest-dev librapidcheck-dev libembree-dev assimp-testmodels
     xvfb xauth xdotool imagemagick)
+fuzz_packages=(clang libclang-rt-14-dev)
 # Not every distribution has these; the program and its tests do without.
-optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core ccache xdotool "
+optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core ccache xdotool"
+optional+=" clang libclang-rt-14-dev "
 
 case "${1:-run}" in
     run) wanted=("${build_packages[@]}") ;;
     test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
-    *) echo "usage: setup-packages.sh run|test" >&2; exit 2 ;;
+    long) wanted=("${build_packages[@]}" "${test_packages[@]}" "${fuzz_packages[@]}") ;;
+    *) echo "usage: setup-packages.sh run|test|long" >&2; exit 2 ;;
 esac
 
 say() { echo "setup: $*" >&2; }

@@ -77,6 +77,16 @@ small_pictures() {
     shoot gpu
     stop_window
 
+    open ball:9000 --rules as-published
+    press_all y
+    click_on "STABILITY/T16"
+    click_on "STABILITY/sweep"
+    wait_for '^stability.sweep_complete=true$' 280
+    drag_slider "STABILITY/scene at" 0.05 0.5
+    hover 600 20
+    shoot stability-sweep
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1

@@ -28,11 +28,13 @@ void check_tile(const MapConfig& config) {
                                  config.tile_width, config.tile_height));
 }
 
+/// The hits that the functions read are in scene units.
 Image<float> evaluate_pixels(const Frame& frame, const MapInfo& info, Pass pass) {
     const RayLayer& layer = frame.layer(pass);
     Image<float> values(frame.width, frame.height, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < values.pixels.size(); ++i) {
-        if (ray_traced(frame, pass, i)) values.pixels[i] = info.of_pixel(layer.counters.pixels[i], layer.hit.pixels[i]);
+        if (ray_traced(frame, pass, i))
+            values.pixels[i] = info.of_pixel(layer.counters.pixels[i], in_scene_units(frame, layer.hit.pixels[i]));
     }
     return values;
 }

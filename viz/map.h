@@ -58,7 +58,7 @@ struct MapInfo {
     std::string_view unit;
     Kind kind;
     std::string_view summary;  // how to read it, one or two sentences
-    /// The value of a pixel whose ray was traced; NaN = none, infinity = broken.
+    /// The value of a pixel whose ray was traced, from its hit in scene units; NaN = none, infinity = broken.
     float (*of_pixel)(const RayCounters&, const Hit&) = nullptr;
     Image<float> (*of_frame)(const Frame&, const MapConfig&) = nullptr;      // of a map over tiles
     void (*describe)(const Frame&, const MapConfig&, ScalarMap&) = nullptr;  // adds facts or categories; may be null
@@ -66,6 +66,8 @@ struct MapInfo {
     void (*describe_judged)(const JudgedLayer&, ScalarMap&) = nullptr;
 
     [[nodiscard]] bool over_tiles() const { return of_frame != nullptr; }
+    /// Shares lie in 0..1, where factors mean nothing; names have no scale at all.
+    [[nodiscard]] bool takes_log() const { return kind == Kind::count || kind == Kind::length; }
     /// It needs a JudgedLayer, which takes as long to make as tracing, and more.
     [[nodiscard]] bool needs_oracle() const { return of_judged != nullptr; }
     [[nodiscard]] bool integer() const { return kind == Kind::count || kind == Kind::category; }

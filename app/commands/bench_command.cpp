@@ -6,6 +6,8 @@
 #include <ostream>
 
 #include "app/commands/commands.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/machine_info.h"
 #include "app/progress_line.h"
@@ -13,6 +15,7 @@
 #include "app/typed_options.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -88,7 +91,10 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
                 // Counters come from a frame of their own: counting is not free.
                 tracer->prepare(config, s.width, s.height);
                 tracer->trace(config, bench.camera, s.width, s.height);
-                row.counters = sum_of(pass_totals(tracer->frame(config), bench.rays));
+                const Frame frame = tracer->frame(config);
+                row.counters = sum_of(pass_totals(frame, bench.rays));
+                if (const UnfinishedPixels unfinished = count_unfinished(frame); unfinished.pixels > 0)
+                    bench.notes.push_back(fmt::format("{}: {}", name, unfinished_text(unfinished)));
             } catch (const InputError& error) {
                 if (options.traversal) throw;
                 bench.notes.push_back(fmt::format("{} left out: {}", name, error.what()));
@@ -132,11 +138,11 @@ Json json_of(const BenchScene& bench, const BenchRow& row) {
 void print(std::ostream& out, const BenchOptions& options, const BenchScene& bench) {
     using enum TextTable::Align;
     const Session& s = bench.session;
-    out << fmt::format(
-        "{}: {} triangles, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
-        "{} reflection shadow\n",
-        s.scene, bench.scene.triangles.size(), s.build.builder, 1e3 * bench.build.seconds, s.width, s.height,
-        bench.ray_sum(), bench.rays[0], bench.rays[1], bench.rays[2], bench.rays[3]);
+    out << fmt::format("{}: {}, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
+                       "{} reflection shadow\n",
+                       s.scene, counted(bench.scene.triangles.size(), "triangle"), s.build.builder,
+                       1e3 * bench.build.seconds, s.width, s.height, bench.ray_sum(), bench.rays[0], bench.rays[1],
+                       bench.rays[2], bench.rays[3]);
     TextTable table({{"tracer", left},
                      {"traversal", left},
                      {"ms median"},
@@ -157,8 +163,8 @@ void print(std::ostream& out, const BenchOptions& options, const BenchScene& ben
                        row.renderer + (row.software_gl ? " (software, not a GPU)" : "")});
     table.print(out);
     for (const std::string& note : bench.notes) out << "note: " << note << '\n';
-    out << fmt::format("Whole frames; {} rounds in turn after {} warm-up; compiling, uploading and counting apart.\n",
-                       options.rounds, options.warmup);
+    out << fmt::format("Whole frames; {} in turn after {} warm-up; compiling, uploading and counting apart.\n",
+                       counted(options.rounds, "round"), options.warmup);
 }
 
 BenchScene open(const BenchOptions& options, const std::string& name, CommandContext& context) {
@@ -174,10 +180,13 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     return bench;
 }
 
-int run(const BenchOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    refuse_idle(app,
+                {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
     require_context(options, true);
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
+        note_idle(app, shared_uses(options, options.session_for(name), true), context);
         BenchScene bench = open(options, name, context);
         measure(options, bench, context);
         if (options.json) {
@@ -204,7 +213,7 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_frame_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
     add_camera_options(app, *options);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

@@ -11,9 +11,11 @@
 #include "app/assets.h"
 #include "app/commands/commands.h"
 #include "app/fonts.h"
+#include "app/idle_options.h"
 #include "app/output_file.h"
 #include "app/rendering.h"
 #include "renderer/geometry/input_error.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -40,8 +42,10 @@ struct GalleryScene {
     int split_depth;  // shows the tree's shape without burying the image
 };
 
+constexpr const char* scene_at_random = "scatter:10000";
+
 std::vector<GalleryScene> gallery_scenes() {
-    std::vector<GalleryScene> scenes{{"ball:9000", 9}, {"rooms", 10}, {"scatter:10000", 5}};
+    std::vector<GalleryScene> scenes{{"ball:9000", 9}, {"rooms", 10}, {scene_at_random, 5}};
     const auto lantern = find_asset("scenes/lantern.gltf");
     if (!lantern)
         throw InputError(
@@ -80,7 +84,8 @@ std::string path_of(const GalleryOptions& options, const GalleryScene& scene, co
     return (fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name)).string();
 }
 
-int run(const GalleryOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const GalleryOptions& options, CommandContext& context) {
+    note_idle(app, shared_uses(options, options.session_for(scene_at_random), false), context);
     const std::vector<GalleryScene> scenes = gallery_scenes();
     require_context(options, false);
     make_folder(options.folder);
@@ -91,6 +96,8 @@ int run(const GalleryOptions& options, CommandContext& context) {
     const Font font = picture_font();
     for (const GalleryScene& scene : scenes) {
         Rendering rendering = render(options, options.session_for(scene.name), context);
+        if (const UnfinishedPixels unfinished = count_unfinished(rendering.frame); unfinished.pixels > 0)
+            context.err << fmt::format("kdscope: note: {}: {}\n", scene.name, unfinished_text(unfinished));
         rendering.session.scene = fs::path(scene.name).filename().string();
         for (const Picture& picture : pictures) {
             check_stop(context);
@@ -113,7 +120,7 @@ CommandBody declare(CLI::App& app) {
     add_machine_options(app, *options);
     add_tracing_options(app, *options);
     add_tree_options(app, *options);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "app/machine_info.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/threads.h"
-#include "renderer/gl/context.h"
+#include "renderer/gl/gl_tracer.h"
 #include "renderer/scene/procedural.h"
 
 namespace kd {
@@ -30,6 +30,16 @@ constexpr std::array<Limit, 4> limits{{{"texture side", GL_MAX_TEXTURE_SIZE},
                                        {"storage buffer bytes", GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
                                        {"draw buffers", GL_MAX_DRAW_BUFFERS}}};
 
+/// "passed", or what is wrong.
+std::string self_test_result(Context& context) {
+    try {
+        const GlTracer tracer(context);
+        return "passed";
+    } catch (const GlError& error) {
+        return error.what();
+    }
+}
+
 Json context_info(ContextKind kind) {
     Json json{{"context", name_of(kind)}};
     try {
@@ -42,6 +52,7 @@ Json context_info(ContextKind kind) {
             context->gl().GetIntegerv(limit.value, &value);
             json["limits"][limit.name] = value;
         }
+        json["self_test"] = self_test_result(*context);
     } catch (const ContextError& error) {
         json["unavailable"] = error.what();
     }
@@ -124,6 +135,8 @@ void print(std::ostream& out, const Json& json) {
         for (const auto& [name, value] : context["limits"].items())
             list += fmt::format("{}{} {}", list.empty() ? "" : ", ", name, word(value));
         line("", list);
+        const std::string result = word(context["self_test"]);
+        line("", result == "passed" ? "self-test passed" : result);
     }
     for (const auto& [use, file] : json["fonts"].items()) line(use + " font", word(file));
     line("scenes", word_list(json["scenes"]));

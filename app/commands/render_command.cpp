@@ -1,6 +1,7 @@
 // render: one picture, with its numbers as files.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
@@ -8,9 +9,11 @@
 #include <utility>
 
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/fonts.h"
 #include "app/frame_summary.h"
 #include "app/help_format.h"
+#include "app/idle_options.h"
 #include "app/output_file.h"
 #include "app/rendering.h"
 #include "app/typed_options.h"
@@ -18,6 +21,7 @@
 #include "renderer/io/tables.h"
 #include "renderer/measure/ray_count.h"
 #include "viz/colormap.h"
+#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -29,6 +33,13 @@ struct RenderOptions : CommonOptions {
     bool see_through = false;
     bool no_legend = false;
 };
+
+/// Of its rays, as --rays takes it: "reflection-shadow".
+std::string option_name(Pass pass) {
+    std::string name(ray_names[std::size_t(pass)]);
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
 
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
@@ -65,12 +76,11 @@ std::string verdict_text(const JudgedLayer& judged) {
 
 void print(std::ostream& out, const Rendering& r) {
     const Session& s = r.session;
-    out << fmt::format("scene     {}: {} triangles, {} materials, {} textures, {} lights\n", s.scene,
-                       r.scene.triangles.size(), r.scene.materials.size(), r.scene.textures.size(),
-                       r.scene.lights.size());
+    out << fmt::format("scene     {}: {}\n", s.scene, contents_text(r.scene));
     for (const std::string& note : r.scene.notes) out << "note      " << note << '\n';
-    out << fmt::format("tree      {}: {} nodes, {} leaves, SAH cost {:.2f}, built in {:.1f} ms\n", s.build.builder,
-                       r.stats.nodes, r.stats.leaves, r.stats.sah_cost, 1e3 * r.build.seconds);
+    out << fmt::format("tree      {}: {}, {} {}, SAH cost {:.2f}, built in {:.1f} ms\n", s.build.builder,
+                       counted(r.stats.nodes, "node"), r.stats.leaves, r.stats.leaves == 1 ? "leaf" : "leaves",
+                       r.stats.sah_cost, 1e3 * r.build.seconds);
     for (const std::string& part : r.left_out) out << "left out  " << part << '\n';
     out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
                        name_of(s.tracer), r.time.total_ms, r.clock);
@@ -78,8 +88,46 @@ void print(std::ostream& out, const Rendering& r) {
         if (r.time.pass_ms[pass] >= 0)
             out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],
                                shaded_text(r.time.shaded_pixels[pass]));
+    if (const UnfinishedPixels unfinished = count_unfinished(r.frame); unfinished.pixels > 0)
+        out << fmt::format("note      {}; see --map exit{}\n", unfinished_text(unfinished),
+                           unfinished.rays == Pass::rt_prim ? "" : " --rays " + option_name(unfinished.rays));
     out << fmt::format("renderer  {}{}\n", r.renderer, r.software_gl ? " (software, not a GPU)" : "");
     if (r.judged) out << "oracle    " << verdict_text(*r.judged) << '\n';
+}
+
+/// Options of maps and splits need one, and some maps take none of them.
+void check_uses(const CLI::App& app, const RenderOptions& o, const Session& session, const CommandContext& context) {
+    const ViewConfig& view = session.view;
+    const MapInfo* map = view.show_map ? find_map(view.map.map) : nullptr;
+    const std::string no_map = "no map is drawn; add --map NAME";
+    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile"})
+        refuse_idle(app, {{option, map != nullptr, no_map}});
+    const std::string no_splits = "no splits are drawn; add --overlay";
+    refuse_idle(app,
+                {{"--overlay-depth", view.overlay.show, no_splits}, {"--see-through", view.overlay.show, no_splits}});
+    if (map) {
+        const std::string categories = fmt::format("the map '{}' shows names, not numbers; leave it out", map->name);
+        const bool numbers = map->kind != MapInfo::Kind::category;
+        refuse_idle(app, {{"--log", numbers, categories},
+                          {"--log", map->takes_log(),
+                           fmt::format("the map '{}' is a share from 0 to 1, which has no "
+                                       "logarithmic scale; leave it out",
+                                       map->name)},
+                          {"--range", numbers, categories},
+                          {"--colormap", numbers, categories},
+                          {"--tile", map->over_tiles(),
+                           fmt::format("the map '{}' looks at single pixels; --map "
+                                       "divergence and idle look at groups",
+                                       map->name)}});
+    }
+    const bool shadow = view.map.rays == Pass::shade_prim || view.map.rays == Pass::shade_refl;
+    const bool reflection = view.map.rays == Pass::rt_refl || view.map.rays == Pass::shade_refl;
+    refuse_idle(app, {{"--rays", session.trace.shadows || !shadow, "--no-shadows traces no such rays"},
+                      {"--rays", session.trace.reflection_depth > 0 || !reflection,
+                       "--reflection-depth 0 traces no such rays"}});
+    note_idle(app, shared_uses(o, session, false), context);
+    note_idle(app, {{"--no-legend", map || view.overlay.show, "a picture without map and splits has no legend"}},
+              context);
 }
 
 /// Whatever can be known to fail is told before the work.
@@ -91,12 +139,13 @@ void check(const RenderOptions& o, const Session& session) {
     require_context(o, false);
 }
 
-int run(const RenderOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const RenderOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
     ViewConfig& view = session.view;
     view.show_map = options.map.has_value();
     if (options.map) view.map.map = *options.map;
     view.overlay.hidden_line = !options.see_through;
+    check_uses(app, options, session, context);
     check(options, session);
 
     const Rendering rendering = render(options, session, context);
@@ -108,7 +157,7 @@ int run(const RenderOptions& options, CommandContext& context) {
     wrote(options.output);
     if (!options.csv.empty()) {
         write_file(options.csv, frame_csv(rendering.frame));
-        wrote(options.csv, fmt::format(" ({} rows)", rendering.frame.colour.pixels.size()));
+        wrote(options.csv, fmt::format(" ({})", counted(rendering.frame.colour.pixels.size(), "row")));
     }
     if (!options.json.empty()) {
         write_file(options.json, json_text(json_of(rendering)));
@@ -152,11 +201,7 @@ void add_map_options(CLI::App& app, RenderOptions& o) {
     ViewConfig& view = o.session.view;
     view.heat.opacity = 1.0f;
     std::vector<NamedValue<Pass>> rays;
-    for (std::size_t pass = 0; pass < pass_count; ++pass) {
-        std::string name(ray_names[pass]);
-        std::ranges::replace(name, ' ', '-');
-        rays.push_back({name, static_cast<Pass>(pass)});
-    }
+    for (int pass = 0; pass < pass_count; ++pass) rays.push_back({option_name(Pass(pass)), Pass(pass)});
     add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
     add_choice(app, "--rays", view.map.rays, rays, "Whose numbers [primary]")->group("Map");
     add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
@@ -192,7 +237,7 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
         ->group("Tracing");
     add_camera_options(app, o);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 std::string map_list() {

@@ -7,11 +7,18 @@
 #include <set>
 
 #include "app/commands/commands.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/json_values.h"
+#include "app/output_file.h"
 #include "app/progress_line.h"
+#include "app/sweep_text.h"
 #include "app/text_table.h"
 #include "app/typed_options.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
 #include "renderer/measure/stability/stability.h"
+#include "renderer/measure/stability/sweep_run.h"
 
 namespace kd {
 
@@ -20,6 +27,7 @@ namespace {
 struct StabilityOptions : CommonOptions {
     StabilityConfig config;
     bool json = false, list = false;
+    std::string sweep, csv;  // a case; a file
 };
 
 const char* name_of(Verdict verdict) {
@@ -57,7 +65,11 @@ Json json_of(const StabilityReport& report) {
                          {"seconds", row.seconds},
                          {"verdict", name_of(row.verdict)},
                          {"reason", row.reason}});
-    return {{"passed", report.passed()}, {"cases_run", report.cases_run}, {"cases", cases}, {"notes", report.notes}};
+    return {{"passed", report.passed()},
+            {"cases_run", report.cases_run},
+            {"preparing_seconds", report.preparing_seconds},
+            {"cases", cases},
+            {"notes", report.notes}};
 }
 
 void print(std::ostream& out, const StabilityReport& report) {
@@ -85,21 +97,71 @@ void print(std::ostream& out, const StabilityReport& report) {
             out << fmt::format("{} {} {} {} {}: {}\n", row.id, name_of(row.verdict), row.traversal, row.tracer,
                                row.context, row.reason);
     const auto failures = std::ranges::count(report.rows, Verdict::fail, &StabilityRow::verdict);
-    out << fmt::format("{} cases, {} rows, {} failed: {}\n", report.cases_run, report.rows.size(), failures,
-                       report.passed() ? "passed" : "failed");
+    double rows = 0;
+    for (const StabilityRow& row : report.rows) rows += row.seconds;
+    out << fmt::format("{:.2f} s in the rows above; {:.2f} s before them in building trees and in the oracles (brute "
+                       "force over all triangles)\n",
+                       rows, report.preparing_seconds);
+    out << fmt::format("{}, {}, {} failed: {}\n", counted(report.cases_run, "case"), counted(report.rows.size(), "row"),
+                       failures, report.passed() ? "passed" : "failed");
 }
 
 void print_list(std::ostream& out) {
-    for (const StabilityCase& info : stability_cases())
+    for (const StabilityCase& info : stability_cases()) {
         out << fmt::format("{}  {}\n     {}\n     against {}; accepted: {}\n", info.id, info.title, info.construction,
                            info.oracle, info.acceptance);
+        if (const Sweep* sweep = find_sweep(info.id))
+            out << fmt::format("     sweep: {} from {:g} to {:g} {}\n", sweep->parameter, sweep->values.front(),
+                               sweep->values.back(), sweep->unit);
+    }
 }
 
-int run(const StabilityOptions& options, CommandContext& context) {
+SweepConfig sweep_config(const StabilityOptions& options) {
+    const StabilityConfig whole = config_for(options);
+    SweepConfig config;
+    config.id = options.sweep;
+    if (whole.long_run) config.rays *= 10;
+    config.traversals = whole.traversals;
+    config.cpu = whole.cpu;
+    config.contexts = whole.contexts;
+    config.threads = whole.threads;
+    config.seed = whole.seed;
+    // One context is enough for a curve.
+    if (!config.contexts.empty() && !options.context) config.contexts = {ContextKind::automatic};
+    return config;
+}
+
+int run_sweep_command(const StabilityOptions& options, CommandContext& context) {
+    (void)sweep_of(options.sweep);
+    check_outputs({{"--csv", options.csv}}, {});
+    SweepReport report;
+    {
+        ProgressLine progress(context);
+        const auto show = [&](float done, const std::string& what, const SweepReport&) { progress.show(done, what); };
+        report = run_sweep(sweep_config(options), show, context.stop);
+    }
+    check_stop(context);
+    if (!options.csv.empty()) {
+        write_file(options.csv, sweep_csv(report));
+        context.out << fmt::format("wrote {} ({} rows)\n", options.csv, report.rows.size());
+    } else if (options.json)
+        context.out << json_text(sweep_json(report));
+    else
+        print(context.out, report);
+    return exit_ok;
+}
+
+int run(const CLI::App& app, const StabilityOptions& options, CommandContext& context) {
+    if (!options.csv.empty() && options.sweep.empty()) throw InputError("--csv: goes with --sweep; add --sweep T14");
+    if (!options.sweep.empty()) return run_sweep_command(options, context);
     if (options.list) {
+        for (const char* option : {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules"})
+            refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
         print_list(context.out);
         return exit_ok;
     }
+    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
+    require_context(options, true);
     StabilityReport report;
     {
         ProgressLine progress(context);
@@ -120,9 +182,17 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--list", options->list, "Says what each case is and exits");
     app.add_flag("--long", options->config.long_run, "All rays of each case instead of a tenth");
     app.add_flag("--json", options->json, "JSON instead of a table");
+    CLI::Option* sweep =
+        app.add_option("--sweep", options->sweep,
+                       "Drives the parameter of a case instead: faults and errors of t by every kind of tracing")
+            ->type_name("ID")
+            ->excludes("--case")
+            ->excludes("--list");
+    app.add_option("--csv", options->csv, "The sweep as a table")->type_name("FILE")->excludes("--json");
     add_machine_options(app, *options);
     add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
-    return [options](CommandContext& context) { return run(*options, context); };
+    app.get_option("--rules")->excludes(sweep);  // a sweep shows all of them
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace
@@ -136,7 +206,9 @@ Command stability_command() {
         "Examples:\n"
         "  kdscope stability\n"
         "  kdscope stability --case T15,T16 --long\n"
-        "  kdscope stability --rules as-published     what the published rules lose; exits 1\n",
+        "  kdscope stability --rules as-published     what the published rules lose; exits 1\n"
+        "  kdscope stability --sweep T16              what is lost, the closer rays aim at a vertex\n"
+        "  kdscope stability --sweep T25 --csv widths.csv\n",
         declare};
 }
 

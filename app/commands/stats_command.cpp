@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/commands/commands.h"
+#include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
@@ -130,8 +131,7 @@ Json json_of(const Entry& e) {
 }
 
 void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
-    out << fmt::format("{}: {} triangles, {} materials, {} textures, {} lights\n", session.scene,
-                       scene.triangles.size(), scene.materials.size(), scene.textures.size(), scene.lights.size());
+    out << fmt::format("{}: {}\n", session.scene, contents_text(scene));
     for (const std::string& note : scene.notes) out << "note: " << note << '\n';
     std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
     for (const Entry& entry : entries) columns.push_back({entry.builder});
@@ -149,7 +149,8 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }
 
-int run(const StatsOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
+    refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
     ProgressLine progress(context);
@@ -193,7 +194,7 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_frame_options(app, *options);
     hide_options(app, {"--tracer", "--early-z"});
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "app/commands/commands.h"
 #include "app/common_options.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "app/trace_check.h"
@@ -126,8 +128,9 @@ int report(const TraceOptions& options, const TraceCheck& check, CommandContext&
     return check.passed() ? exit_ok : exit_check_failed;
 }
 
-int run(const TraceOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const TraceOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
+    note_idle(app, shared_uses(options, session, true), context);
     const bool to_file = options.output != "-";
     check_outputs({{"--output", to_file ? options.output : ""}, {"--failures", options.failures}},
                   {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
@@ -146,7 +149,8 @@ int run(const TraceOptions& options, CommandContext& context) {
     check_stop(context);
     if (to_file) {
         write_file(options.output, table);
-        context.out << fmt::format("wrote {} ({} rows)\n", options.output, std::ranges::count(table, '\n') - 1);
+        context.out << fmt::format("wrote {} ({})\n", options.output,
+                                   counted(std::ranges::count(table, '\n') - 1, "row"));
     } else
         context.out << table;
     return report(options, check, context);
@@ -168,7 +172,7 @@ CommandBody declare(CLI::App& app) {
     const ShownDefaults everything{.traversal = "all", .tracer = "all"};
     add_tracing_options(app, *options, everything);
     add_tree_options(app, *options, everything);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

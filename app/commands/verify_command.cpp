@@ -7,6 +7,8 @@
 #include <set>
 
 #include "app/commands/commands.h"
+#include "app/counted.h"
+#include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
@@ -59,7 +61,7 @@ Json json_of(const VerifyReport& report) {
 
 void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
     using enum TextTable::Align;
-    out << fmt::format("{}: {} triangles\n", scene, report.triangles);
+    out << fmt::format("{}: {}\n", scene, counted(report.triangles, "triangle"));
     TextTable table({{"builder", left},
                      {"traversal", left},
                      {"leaf lists", left},
@@ -89,7 +91,8 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
 }
 
-int run(const VerifyOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const VerifyOptions& options, CommandContext& context) {
+    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
     require_context(options, true);
     bool passed = true;
     Json json = Json::array();
@@ -137,7 +140,7 @@ CommandBody declare(CLI::App& app) {
     add_tracing_options(app, *options, everything);
     add_tree_options(app, *options, everything);
     add_camera_options(app, *options);
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "app/commands/commands.h"
 #include "app/common_options.h"
+#include "app/environment.h"
+#include "app/idle_options.h"
 
 #ifdef KD_WITH_WINDOW
 #include "app/window/window.h"
@@ -24,17 +26,22 @@ bool is_set(const char* variable) {
     return value && *value;
 }
 
-int run(const CommonOptions& options, CommandContext& context) {
+int run(const CLI::App& app, const CommonOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
-    (void)open_scene(options, session);  // a bad scene is told first, and before a window opens
+    (void)environment_scale();  // what is wrong is told first, and before a window opens
+    (void)open_scene(options, session);
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
         throw NoDisplay(std::string("no display (neither DISPLAY nor WAYLAND_DISPLAY is set)") + instead);
+    note_idle(app,
+              {{"--size", false, "the window has a size of its own"},
+               {"--context", false, "the window has an OpenGL of its own"}},
+              context);
     return run_window(session, context.stop);
 }
 
 #else
 
-int run(const CommonOptions& options, CommandContext&) {
+int run(const CLI::App&, const CommonOptions& options, CommandContext&) {
     Session session = options.session_for(options.scenes.front());
     (void)open_scene(options, session);  // a bad scene is told first
     throw NoDisplay(std::string("this build has no window") + instead);
@@ -48,7 +55,7 @@ CommandBody declare(CLI::App& app) {
     add_frame_options(app, *options);
     add_camera_options(app, *options);
     hide_options(app, {"--size", "--context"});  // the window has its own
-    return [options](CommandContext& context) { return run(*options, context); };
+    return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 
 }  // namespace

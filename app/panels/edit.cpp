@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/window/camera_moves.h"
+#include "renderer/measure/stability/stress_scene.h"
 #include "renderer/trace/traversal.h"
 #include "viz/colormap.h"
 
@@ -46,8 +47,18 @@ void show_heat(Edit& edit) {
 }
 
 void show_divergence(Edit& edit) {
-    edit.session.view.show_map = true;
-    if (!is_tile_map(edit.session.view.map.map)) choose_map(edit, "divergence");
+    ViewConfig& view = edit.session.view;
+    if (view.show_map && is_tile_map(view.map.map)) return;
+    edit.window.beauty = !view.show_map;
+    view.show_map = true;
+    if (!is_tile_map(view.map.map)) choose_map(edit, "divergence");
+}
+
+void toggle_divergence(Edit& edit) {
+    const ViewConfig& view = edit.session.view;
+    if (!view.show_map || !is_tile_map(view.map.map)) return show_divergence(edit);
+    show_heat(edit);
+    if (edit.window.beauty) show_beauty(edit);
 }
 
 void show_oracle(Edit& edit) {
@@ -61,6 +72,7 @@ void choose_map(Edit& edit, const std::string& map) {
     view.map.map = map;
     if (is_heatmap(map)) edit.window.heatmap = map;
     view.heat.range_mode = RangeMode::automatic;  // another quantity: the old range means nothing
+    view.heat.logarithmic = edit.window.logarithmic && takes_log(edit);
 }
 
 void show_map(Edit& edit, const std::string& map) {
@@ -68,10 +80,46 @@ void show_map(Edit& edit, const std::string& map) {
     edit.session.view.show_map = true;
 }
 
+bool takes_log(const Edit& edit) {
+    const MapInfo* map = find_map(edit.session.view.map.map);
+    return map && map->takes_log();
+}
+
+void toggle_log(Edit& edit) {
+    if (!takes_log(edit)) return;
+    bool& logarithmic = edit.session.view.heat.logarithmic;
+    edit.window.logarithmic = logarithmic = !logarithmic;
+}
+
+void show_unfinished(const EngineState& state, Edit& edit) {
+    show_map(edit, "exit");
+    if (state.picture) edit.session.view.map.rays = state.picture->traced.unfinished.rays;
+}
+
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
     edit.window.pinned.reset();
+}
+
+void switch_bottom(Edit& edit) {
+    std::string& bottom = edit.window.bottom;
+    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+}
+
+void show_stress(Edit& edit, const std::string& scene) {
+    StabilityView& view = edit.window.stability;
+    if (!edit.session.scene.starts_with(stress_prefix)) {
+        view.scene_before = edit.session.scene;
+        view.camera_before = edit.session.camera;
+    }
+    if (edit.session.scene != scene) choose_scene(edit, scene);
+}
+
+void leave_stress(Edit& edit) {
+    const StabilityView& view = edit.window.stability;
+    choose_scene(edit, view.scene_before.empty() ? Session{}.scene : view.scene_before);
+    edit.session.camera = view.camera_before;
 }
 
 BuildConfig papers_rules(BuildConfig build) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/engine_state.h"
+#include "app/window/exporter.h"
 
 namespace kd {
 
@@ -14,6 +15,17 @@ enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
 /// What a drag does: turn the eye about the target, or the view about the eye.
 enum class CameraStyle { orbit, fly };
+
+/// What a person looks at in STABILITY.
+struct StabilityView {
+    std::string id = "T16";  // the case
+    std::string filter;      // of the list
+    bool charts = false;     // rather than verdicts
+    bool all_traversals = true;
+    int row = -1;              // of the verdicts whose reason is shown; none below 0
+    std::string scene_before;  // that a case's scene took the place of
+    std::optional<Camera> camera_before;
+};
 
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
@@ -26,9 +38,15 @@ struct WindowSettings {
     std::optional<PixelPosition> pinned;
     std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
     CameraStyle camera_style = CameraStyle::orbit;
-    std::string heatmap = "nodes";  // the map that Heat goes back to from others
-    std::string folder = ".";       // of exported files; "~" stands for the home folder
-    float fly_speed = 1;            // times the scene's size per 4 seconds
+    std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
+    bool beauty = false;                    // was shown before Divergence
+    bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
+    std::string folder = ".";               // of exported files; "~" stands for the home folder
+    float fly_speed = 1;                    // times the scene's size per 4 seconds
+    std::vector<std::string> recent_files;  // scenes opened from files, newest first
+    int timing_scale = 0;                   // of the frames timed: 0 = chosen by the program, 1 = every pixel, 2 = half
+    std::string bottom = "TIME";            // the panel shown at the bottom
+    StabilityView stability;
 };
 
 enum class Action {
@@ -42,6 +60,9 @@ enum class Action {
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
     copy_ray,      // the compared ray of the pinned or hovered pixel, as a table that trace reads
+    run_case,      // of STABILITY
+    run_sweep,
+    cancel_stability,
 };
 
 struct Edit {
@@ -50,6 +71,7 @@ struct Edit {
     std::vector<Action> actions;
     std::optional<PixelPosition> hovered;  // under the mouse
     std::string last_export;               // for people: the file written last
+    Exporter::Progress exporting;          // the file being written
 
     void do_once(Action action) { actions.push_back(action); }
 };
@@ -64,11 +86,24 @@ namespace edits {
 void show_beauty(Edit& edit);
 void show_heat(Edit& edit);
 void show_divergence(Edit& edit);
+/// To the divergence, and from there back to what was shown before.
+void toggle_divergence(Edit& edit);
 void show_oracle(Edit& edit);
 void choose_map(Edit& edit, const std::string& map);
 /// The same, and colours over the image where there were none.
 void show_map(Edit& edit, const std::string& map);
+/// Whether the map chosen can have a logarithmic scale.
+[[nodiscard]] bool takes_log(const Edit& edit);
+/// A logarithmic scale for this map and the next that can have one; nothing where this one cannot.
+void toggle_log(Edit& edit);
+/// Why rays ended, of the rays that were given up most.
+void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
+/// STABILITY at the bottom, or TIME again.
+void switch_bottom(Edit& edit);
+/// A scene of the case chosen in STABILITY; the one before it is kept in mind.
+void show_stress(Edit& edit, const std::string& scene);
+void leave_stress(Edit& edit);
 /// `build` with the rules that the paper's text gives; its costs have no values there.
 [[nodiscard]] BuildConfig papers_rules(BuildConfig build);
 void next_traversal(Edit& edit);

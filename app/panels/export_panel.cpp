@@ -3,7 +3,10 @@
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>
 
+#include <filesystem>
+
 #include "app/panels/panel.h"
+#include "app/window/home_path.h"
 #include "app/window/places.h"
 #include "app/window/widgets.h"
 
@@ -23,12 +26,18 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     ImGui::SameLine();
     button("CSV", Action::export_csv, "A row per pixel: hit and every counter of every pass.");
     button("JSON", Action::export_json, "Settings, tree, times and counter totals.");
-    widgets::heading("into folder");
+    std::error_code error;
+    const bool there = std::filesystem::is_directory(home_long(edit.window.folder), error);
+    widgets::heading(there ? "into folder" : "into folder, which will be made");
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##folder", "folder", &edit.window.folder);
     Places::note("folder");
-    widgets::hint("Folder that files are written into. Names count up: kdscope-1.png, kdscope-2.png, ...");
-    if (!edit.last_export.empty()) widgets::note(edit.last_export);
+    widgets::hint("Folder that files are written into, made where there is none. Names count up: kdscope-1.png, "
+                  "kdscope-2.png, ...");
+    if (edit.exporting.active)
+        widgets::progress(edit.exporting.fraction, "writing " + edit.exporting.what);
+    else if (!edit.last_export.empty())
+        widgets::note(edit.last_export);
 }
 
 }  // namespace kd

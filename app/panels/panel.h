@@ -7,6 +7,7 @@
 
 namespace kd {
 
+/// Of those at the bottom one is shown, chosen by WindowSettings::bottom.
 enum class PanelPlace { left, right, bottom };
 
 struct Panel {
@@ -14,6 +15,7 @@ struct Panel {
     PanelPlace place;
     float open_from;  // open at first where the window is at least this high, in pixels at scale 1
     void (*draw)(const EngineState&, Edit&);
+    bool tall = false;  // wants more height than the usual bottom
 };
 
 [[nodiscard]] std::span<const Panel> panels();

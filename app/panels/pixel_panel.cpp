@@ -20,7 +20,7 @@ void draw_hit(const PassReading& ray) {
     const std::string missed = ray.traced ? "none" : none;
     widgets::value("triangle", hit ? fmt::format("#{}", ray.hit.triangle) : missed,
                    "Number of the triangle that the ray hit first.");
-    widgets::value("distance t", hit ? number_text(double(ray.hit.t)) : none,
+    widgets::value("distance t", hit ? number_text(double(ray.distance)) : none,
                    "From the ray's origin to the hit, in scene units.");
     widgets::value("u, v", hit ? fmt::format("{:.3f}, {:.3f}", ray.hit.u, ray.hit.v) : none,
                    "Barycentric coordinates in the triangle.");
@@ -39,7 +39,7 @@ void draw_counters(const PassReading& ray) {
     count("leaves", c.leaves, "Leaf cells that the ray passed, empty ones included.");
     count("triangle tests", c.triangle_tests, "Ray-triangle tests.");
     count("restarts", c.restarts, "Returns to the root (kd-restart).");
-    count("climbs", c.backtracks, "Climbs from a leaf (kd-backtrack).");
+    count("backtracks", c.backtracks, "Climbs from a leaf to find the next one (kd-backtrack).");
     count("deepest stack", c.stack_depth, "Most far children that waited at one time.");
 }
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/engine_levels.h"
 #include "app/panels/panel.h"
+#include "app/window/places.h"
 #include "app/window/plot.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
@@ -15,6 +17,7 @@ namespace kd {
 namespace {
 
 constexpr const char* none = "–";
+constexpr float tall_from = 200;  // pixels at scale 1
 
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
@@ -61,17 +64,38 @@ std::string verdict_spread(const Spread& ratio) {
     return fmt::format("{:.2f} – {:.2f}×, {} rounds", low, high, ratio.samples);
 }
 
-/// "timed at 400 × 270, half the size"; of the whole picture the size alone.
-void draw_size(const DuelState& duel) {
-    if (duel.width == 0) return;
-    const std::string size = fmt::format("{} × {}", duel.width, duel.height);
-    if (duel.scale == 1) return widgets::note("timed at " + size);
-    const std::string share = duel.scale == 2 ? "half" : fmt::format("1/{} of", duel.scale);
-    widgets::note(fmt::format("timed at {}, {} the size", size, share), theme::text);
+/// "timed at [400 × 270, chosen]": the size of the frames timed, the program's choice or a person's.
+void draw_size(const EngineState& state, Edit& edit) {
+    const Session& session = state.session;
+    const auto size = [&](int scale) {
+        return fmt::format("{} × {}", scaled_size(session.width, scale), scaled_size(session.height, scale));
+    };
+    const bool known = state.duel.width > 0 && !state.duel.chosen;
+    std::vector<widgets::Option> options{
+        {"automatic",
+         "As many pixels as take no longer than half a second. Chosen when scene or picture size change, then kept; "
+         "fewer only where a frame would take longer than two seconds.",
+         known ? fmt::format("{} × {}, auto", state.duel.width, state.duel.height) : "automatic"}};
+    constexpr std::pair<int, const char*> shares[] = {{1, "whole"}, {2, "half"}, {4, "quarter"}, {8, "eighth"}};
+    for (const auto& [scale, name] : shares)
+        options.push_back({name, fmt::format("Of the picture along each side, always: {}.", size(scale)),
+                           fmt::format("{}, {}", size(scale), name)});
+    std::string chosen = "automatic";
+    for (const auto& [scale, name] : shares)
+        if (edit.window.timing_scale == scale) chosen = name;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme::px(4), 0});
+    widgets::note("timed at");
+    ImGui::SameLine();
+    if (widgets::combo("size", chosen, options, "Size of the frames that CPU and GPU trace in turn.", theme::px(148))) {
+        edit.window.timing_scale = 0;
+        for (const auto& [scale, name] : shares)
+            if (chosen == name) edit.window.timing_scale = scale;
+    }
+    ImGui::PopStyleVar();
 }
 
 /// Who is faster, once there are rounds enough to say so.
-void draw_verdict(const EngineState& state) {
+void draw_verdict(const EngineState& state, Edit& edit) {
     const DuelState& duel = state.duel;
     ImGui::BeginGroup();
     widgets::note("the same frame");
@@ -84,14 +108,13 @@ void draw_verdict(const EngineState& state) {
         widgets::note(no_gpu ? "no GPU to compare with"
                              : fmt::format("{} of {} rounds", duel.ratio.samples, DuelState::least_rounds));
     }
-    draw_size(duel);
     ImGui::EndGroup();
     widgets::hint(fmt::format(
         "CPU time over GPU time of each round: median and middle half. Shown from {} rounds on.{}",
         DuelState::least_rounds,
-        duel.scale > 1 ? "\n\nA frame of the whole picture would take longer than half a second, so a smaller one is "
-                         "timed: as much of the scene, with fewer pixels."
+        duel.scale > 1 ? "\n\nA smaller frame than the picture is timed: as much of the scene, with fewer pixels."
                        : ""));
+    draw_size(state, edit);
 }
 
 /// Median of each GPU pass.
@@ -125,6 +148,7 @@ void draw_plot(const EngineState& state) {
         if (round.gl_ms >= 0) gpu.values.push_back(float(round.gl_ms));
     }
     plot::draw("##times", {cpu, gpu}, int(DuelState::history), "ms");
+    Places::note("plot");
     widgets::hint(clocks(state));
 }
 
@@ -137,11 +161,17 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const std::string waiting = edit.window.timing ? "when idle" : "timing is off";
     const std::string no_gpu = !state.gl.known || state.gl.available() ? waiting : "no OpenGL 4.3";
 
-    ImGui::Columns(5, "time", false);
+    // A panel dragged high has the plot below the numbers, as wide as the window, and no empty corner.
+    const bool tall = ImGui::GetContentRegionAvail().y >= theme::px(tall_from);
+    ImGui::Columns(tall ? 4 : 5, tall ? "tall" : "flat", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
-    const float widths[] = {theme::px(122), theme::px(160), theme::px(234), theme::px(160)};
-    for (int i = 0; i < 4; ++i) ImGui::SetColumnWidth(i, widths[i]);
-    ImGui::SetColumnWidth(4, std::max(theme::px(100), width - widths[0] - widths[1] - widths[2] - widths[3]));
+    const float widths[] = {theme::px(136), theme::px(168), theme::px(222), theme::px(160)};
+    float used = 0;
+    for (int i = 0; i < (tall ? 3 : 4); ++i) {
+        ImGui::SetColumnWidth(i, widths[i]);
+        used += widths[i];
+    }
+    ImGui::SetColumnWidth(tall ? 3 : 4, tall ? widths[3] : std::max(theme::px(100), width - used));
     draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, duel.cpu_clock, waiting);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
@@ -149,11 +179,14 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
                  duel.gl_clock, no_gpu);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
-    draw_verdict(state);
+    draw_verdict(state, edit);
     ImGui::NextColumn();
     draw_passes(duel);
     widgets::check("measure while idle", edit.window.timing, "Times both machines while nobody works with the window.");
-    ImGui::NextColumn();
+    if (tall)
+        ImGui::Columns(1);
+    else
+        ImGui::NextColumn();
     draw_plot(state);
     ImGui::Columns(1);
 }

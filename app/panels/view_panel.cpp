@@ -74,10 +74,25 @@ void draw_split_depth(OverlayConfig& overlay) {
         overlay.show = true;
 }
 
-void draw_colours(HeatmapConfig& heat) {
+/// Why the map chosen has no logarithmic scale; empty where it can have one.
+std::string no_log(const Edit& edit) {
+    if (edits::takes_log(edit)) return "";
+    const MapInfo* map = find_map(edit.session.view.map.map);
+    return map && map->kind == MapInfo::Kind::category ? "This map shows names, which have no scale."
+                                                       : "This map is a share from 0 to 1: its scale is linear.";
+}
+
+void draw_colours(Edit& edit) {
+    HeatmapConfig& heat = edit.session.view.heat;
     widgets::choice("colours", heat.colormap, widgets::options_of(colormaps()), "Key C: the next. Option --colormap.");
     widgets::slider("opacity", heat.opacity, 0, 1, "%.2f", "Of the colours over the image. Option --opacity.");
-    widgets::toggle("logarithmic", heat.logarithmic, "Equal steps of colour are equal factors. Key G. Option --log.");
+    const std::string why_not = no_log(edit);
+    bool logarithmic = heat.logarithmic;
+    ImGui::BeginDisabled(!why_not.empty());
+    if (widgets::toggle("logarithmic", logarithmic,
+                        why_not.empty() ? "Equal steps of colour are equal factors. Key G. Option --log." : why_not))
+        edits::toggle_log(edit);
+    ImGui::EndDisabled();
 }
 
 void draw_split_lines(OverlayConfig& overlay) {
@@ -99,7 +114,7 @@ void draw_view_panel(const EngineState& state, Edit& edit) {
     draw_split_depth(view.overlay);
     const MapInfo* map = find_map(view.map.map);
     if (map && map->over_tiles()) draw_tiles(view.map);
-    draw_colours(view.heat);
+    draw_colours(edit);
     draw_split_lines(view.overlay);
 }
 

@@ -7,6 +7,7 @@
 #include "app/assets.h"
 #include "app/machine_info.h"
 #include "app/window/places.h"
+#include "app/window/recent_files.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
@@ -19,9 +20,9 @@ namespace {
 
 constexpr float name_from_width = 1040;  // narrower windows need the room
 
-/// The procedural scenes at a few sizes, then the files that come with the program.
-std::vector<widgets::Option> scene_options() {
-    std::vector<widgets::Option> options;
+/// Files opened before, the procedural scenes at a few sizes, and the files that come with the program.
+std::vector<widgets::Option> scene_options(const Edit& edit) {
+    std::vector<widgets::Option> options = recent_options(edit.window.recent_files, edit.session.scene);
     for (const ProceduralScene& scene : procedural_scenes()) {
         const std::string base(scene.name);
         const std::string summary(scene.summary);
@@ -39,8 +40,10 @@ std::vector<widgets::Option> scene_options() {
 
 void draw_scene(Edit& edit) {
     std::string scene = edit.session.scene;
-    if (widgets::combo("scene", scene, scene_options(),
-                       "The scene. Files can be dropped onto the window: .gltf or .glb.", theme::px(164)))
+    if (widgets::combo(
+            "scene", scene, scene_options(edit),
+            "The scene. Files can be dropped onto the window: .gltf or .glb. Those opened before come first.",
+            theme::px(164)))
         edits::choose_scene(edit, scene);
 }
 
@@ -75,6 +78,10 @@ void draw_modes(Edit& edit) {
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
+    ImGui::SameLine(0, theme::px(12));
+    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom != "TIME",
+                         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
+        edits::switch_bottom(edit);
 }
 
 std::string machines_text(const EngineState& state) {

@@ -67,7 +67,11 @@ Camera pan(const Camera& camera, float right, float down) {
     return moved(camera, height * (-double(right) * axes.right + double(down) * axes.up));
 }
 
-Camera zoom(const Camera& camera, float factor) {
+Camera zoom(const Camera& camera, float factor, float scene_size) {
+    constexpr double reach = 1e6;
+    const double size = scene_size > 0 ? double(scene_size) : 1.0;
+    const double distance = glm::distance(dvec3(camera.eye), dvec3(camera.target)) * double(factor);
+    if ((factor < 1 && distance < size / reach) || (factor > 1 && distance > size * reach)) return camera;
     Camera next = camera;
     next.eye = Vec3(dvec3(camera.target) + double(factor) * (dvec3(camera.eye) - dvec3(camera.target)));
     return valid_or(next, camera);

@@ -29,7 +29,7 @@ FigureFacts facts_of(const EngineState& state) {
             .build = traced.world->built_with,
             .trace = traced.config,
             .early_z = state.session.early_z,
-            .camera = state.session.camera,
+            .camera = in_scene_units(state.session, traced.world->scene()).camera,
             .seed = traced.world->loaded->seed,
             .tracer = traced.tracer,
             .renderer = renderer_of(state),
@@ -51,16 +51,14 @@ RayCounts rays_of(const TracedFrame& traced) {
 }
 
 PngText png_text(const EngineState& state) {
-    return png_text(title_of(state), caption_of(facts_of(state)), state.session, state.picture->view);
+    const Session session = in_scene_units(state.session, state.picture->traced.world->scene());
+    return png_text(title_of(state), caption_of(facts_of(state)), session, state.picture->view);
 }
 
 }  // namespace
 
 fs::path next_file(const fs::path& folder, const std::string& extension) {
     std::error_code error;
-    if (!fs::is_directory(folder, error))
-        throw InputError(
-            fmt::format("export: there is no folder '{}'; make it first, or name another", folder.string()));
     const auto taken = [&](int n) {
         for (const char* kind : {".png", ".csv", ".json"})
             if (fs::exists(folder / fmt::format("kdscope-{}{}", n, kind), error)) return true;
@@ -89,13 +87,14 @@ Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays
                         rays);
 }
 
-fs::path export_file(Action what, const EngineState& state, const std::string& folder, const Font& font) {
+fs::path export_file(Action what, const EngineState& state, const fs::path& folder, const Font& font,
+                     const std::function<void(float)>& progress) {
     const TracedFrame& traced = state.picture->traced;
     const bool table = what == Action::export_csv || what == Action::export_json;
     const fs::path path = next_file(folder, what == Action::export_csv    ? ".csv"
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
-    if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame));
+    if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
     if (what == Action::export_json) write_file(path, json_text(summary_json(state, rays_of(traced))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
@@ -109,7 +108,7 @@ fs::path export_file(Action what, const EngineState& state, const std::string& f
     return path;
 }
 
-fs::path export_window(const Image<Rgba8>& window, const EngineState& state, const std::string& folder) {
+fs::path export_window(const Image<Rgba8>& window, const EngineState& state, const fs::path& folder) {
     const fs::path path = next_file(folder, ".png");
     write_png(path, window, png_text(state));
     return path;

@@ -18,11 +18,12 @@ namespace kd {
 [[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays);
 
 /// Everything but Action::export_window. Returns the path written. InputError.
-[[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state, const std::string& folder,
-                                                const Font& font);
+[[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state,
+                                                const std::filesystem::path& folder, const Font& font,
+                                                const std::function<void(float)>& progress = {});
 
 /// A picture of the whole window, rows from the top. InputError.
 [[nodiscard]] std::filesystem::path export_window(const Image<Rgba8>& window, const EngineState& state,
-                                                  const std::string& folder);
+                                                  const std::filesystem::path& folder);
 
 }  // namespace kd

@@ -4,19 +4,17 @@
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "app/command.h"
+#include "app/environment.h"
 
 namespace kd {
 
 namespace {
 
 constexpr int least_width = 960, least_height = 600;
-constexpr float least_scale = 0.75f, largest_scale = 4;
+constexpr float least_scale = 0.75f, largest_scale = 4;  // of what a display may ask for
 
 /// The context of a window that nobody sees. Current from its making to its end, on one thread.
 class HiddenContext final : public Context {
@@ -41,10 +39,7 @@ std::string glfw_error() {
 }
 
 /// The display's scale, or what the environment says instead.
-float chosen_scale(float scale) {
-    if (const char* text = std::getenv("KDSCOPE_SCALE")) std::from_chars(text, text + std::strlen(text), scale);
-    return std::clamp(scale, least_scale, largest_scale);
-}
+float chosen_scale(float scale) { return environment_scale().value_or(std::clamp(scale, least_scale, largest_scale)); }
 
 WindowSize size_for_screen() {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -89,7 +84,10 @@ GlfwWindow::GlfwWindow(const std::string& title, WindowSize size, bool maximised
 
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    tracing_ = try_versions(title + ": tracing", 16, 16, {{4, 6}, {4, 5}, {4, 3}});
+    for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+        if (!tracing_) tracing_ = try_versions(title + ": tracing", 16, 16, {{4, 6}, {4, 5}, {4, 3}});
+    }
     if (!tracing_) refused_ = "OpenGL 4.3 is not there: " + glfw_error();
 }
 
@@ -111,12 +109,19 @@ WindowSize GlfwWindow::size() const {
     return size;
 }
 
+bool GlfwWindow::hidden() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE ||
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) != GLFW_TRUE;
+}
+
 bool GlfwWindow::maximised() const { return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE; }
 
 std::function<std::unique_ptr<Context>()> GlfwWindow::tracing_context() const {
-    return [window = tracing_, why = refused_]() -> std::unique_ptr<Context> {
-        if (!window) throw ContextError(why);
-        return std::make_unique<HiddenContext>(window);
+    return [window = tracing_, why = refused_]() mutable -> std::unique_ptr<Context> {
+        if (!why.empty()) throw ContextError(why);
+        // GLFW makes contexts on the main thread alone, so one that was lost is replaced by one without a window.
+        if (!window) return Context::create(ContextKind::automatic);
+        return std::make_unique<HiddenContext>(std::exchange(window, nullptr));
     };
 }
 

@@ -26,9 +26,11 @@ class GlfwWindow {
     [[nodiscard]] float content_scale() const;
     [[nodiscard]] WindowSize size() const;
     [[nodiscard]] bool maximised() const;
+    /// Minimised or not mapped: nobody sees it. (What lies behind other windows is not known.)
+    [[nodiscard]] bool hidden() const;
 
-    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called once, on the thread that will use
-    /// it, and let go on that thread. ContextError where there is none.
+    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called on the thread that will use it, and
+    /// let go on that thread; called again where the one before was lost. ContextError where there is none.
     [[nodiscard]] std::function<std::unique_ptr<Context>()> tracing_context() const;
 
   private:

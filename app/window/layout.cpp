@@ -44,7 +44,7 @@ WindowSize first_size(WindowSize free, float scale) {
     return {along(free.width, least_width), along(free.height, least_height)};
 }
 
-Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels) {
+Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels, bool tall) {
     const float top = std::round(top_height * scale);
     const float status = std::round(status_height * scale);
     const float gap = panels ? splitter * scale : 0;
@@ -58,7 +58,8 @@ Layout divide(float width, float height, const LayoutSizes& sizes, float scale, 
             left /= excess;
             right /= excess;
         }
-        bottom = std::clamp(sizes.bottom * scale, least_bottom * scale, std::max(least_bottom * scale, 0.7f * inner));
+        bottom = std::clamp((tall ? sizes.tall : sizes.bottom) * scale, least_bottom * scale,
+                            std::max(least_bottom * scale, 0.7f * inner));
         left = std::round(left);
         right = std::round(right);
         bottom = std::round(bottom);
@@ -74,16 +75,22 @@ Layout divide(float width, float height, const LayoutSizes& sizes, float scale, 
     return layout;
 }
 
-bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale) {
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale, bool tall) {
     const LayoutSizes before = sizes;
     const float gap = splitter * scale;
     const Rectangle& p = layout.picture;
-    sizes.left += handle("##left splitter", {p.x - gap, p.y, gap, p.height}, true) / scale;
-    sizes.right -= handle("##right splitter", {p.x + p.width, p.y, gap, p.height}, true) / scale;
-    sizes.bottom -= handle("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false) / scale;
+    // From what is shown, which may be less than what was asked for: a border follows the mouse at once.
+    const auto drag = [&](const char* id, Rectangle place, bool upright, float shown, float& size, float sign) {
+        if (const float moved = handle(id, place, upright); moved != 0) size = (shown + sign * moved) / scale;
+    };
+    drag("##left splitter", {p.x - gap, p.y, gap, p.height}, true, layout.left.width, sizes.left, 1);
+    drag("##right splitter", {p.x + p.width, p.y, gap, p.height}, true, layout.right.width, sizes.right, -1);
+    float& bottom = tall ? sizes.tall : sizes.bottom;
+    drag("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false, layout.bottom.height, bottom,
+         -1);
     sizes.left = std::clamp(sizes.left, least_column, 800.0f);
     sizes.right = std::clamp(sizes.right, least_column, 800.0f);
-    sizes.bottom = std::clamp(sizes.bottom, least_bottom, 600.0f);
+    bottom = std::clamp(bottom, least_bottom, 600.0f);
     return sizes != before;
 }
 

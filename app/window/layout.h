@@ -13,6 +13,7 @@ struct Rectangle {
 /// Sizes that a person can drag, in pixels at scale 1.
 struct LayoutSizes {
     float left = 276, right = 228, bottom = 116;
+    float tall = 290;  // of the bottom where a tall panel is there
     bool operator==(const LayoutSizes&) const = default;
 };
 
@@ -32,9 +33,10 @@ struct Layout {
 
 /// Divides the window. `panels` off gives everything but the top and status line to the picture. The picture keeps at
 /// least 40 % of the width and 30 % of the height, whatever the sizes say.
-[[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels);
+[[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels,
+                            bool tall = false);
 
 /// The three splitters; true while one is dragged, which changes `sizes`.
-bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale);
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale, bool tall = false);
 
 }  // namespace kd

@@ -1,12 +1,11 @@
-// The legend over the picture: the numbers of viz/legend.h, small enough for a corner.
+// The legend over the picture: what viz/legend_text.h says, small enough for a corner.
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
-#include "viz/numbers.h"
+#include "viz/legend_text.h"
 
 namespace kd {
 
@@ -58,96 +57,76 @@ class Card {
     float y_;
 };
 
-constexpr float bar_left = 52, bar_width = 14, cap = 6;
-constexpr float least_bar = 64, largest_bar = 116, bar_share = 0.14f;  // of the picture's height
+constexpr const LegendLayout& layout = card_layout;
+constexpr float least_bar = 64, bar_share = 0.14f;  // of the picture's height
+
+float px(int n) { return theme::px(float(n)); }
 
 float bar_height(const Rectangle& area) {
-    return std::round(std::clamp(bar_share * area.height, theme::px(least_bar), theme::px(largest_bar)));
+    return std::round(std::clamp(bar_share * area.height, theme::px(least_bar), px(layout.bar_height)));
 }
 
 void draw_histogram(ImDrawList& list, ImVec2 top, float height, const MapSummary& summary) {
     const std::int64_t tallest = summary.histogram.empty() ? 0 : std::ranges::max(summary.histogram);
     const float step = height / float(std::max<std::size_t>(1, summary.histogram.size()));
-    const float right = top.x + theme::px(bar_left - 3);
-    for (std::size_t i = 0; i < summary.histogram.size() && tallest > 0; ++i) {
-        if (summary.histogram[i] == 0) continue;
-        const float length = std::max(1.0f, theme::px(bar_left - 3) * float(summary.histogram[i]) / float(tallest));
+    const float room = px(layout.bar_left - layout.histogram_gap);
+    for (std::size_t i = 0; i < summary.histogram.size(); ++i) {
+        const float length = histogram_length(summary.histogram[i], tallest, room, 1);
         const float y = top.y + height - step * float(i + 1);
-        list.AddRectFilled({right - length, y}, {right, y + step}, IM_COL32(126, 126, 136, 255));
+        list.AddRectFilled({top.x + room - length, y}, {top.x + room, y + step}, colour_of(figure_style::histogram));
     }
 }
 
 void draw_colours(ImDrawList& list, ImVec2 top, float height, const Colormap& colours, const MapSummary& summary) {
-    const float left = top.x + theme::px(bar_left);
-    const float right = left + theme::px(bar_width);
+    const float left = top.x + px(layout.bar_left);
+    const float right = left + px(layout.bar_width);
     for (int i = 0; i < int(height); ++i) {
         const float y = top.y + float(i);
         list.AddRectFilled({left, y}, {right, y + 1}, colour_of(colours(1 - (float(i) + 0.5f) / height)));
     }
     const float middle = (left + right) / 2;
     if (summary.above > 0)
-        list.AddTriangleFilled({left, top.y}, {middle, top.y - theme::px(cap)}, {right, top.y},
+        list.AddTriangleFilled({left, top.y}, {middle, top.y - px(layout.cap_height)}, {right, top.y},
                                colour_of(colours.above));
     const float base = top.y + height;
     if (summary.below > 0)
-        list.AddTriangleFilled({left, base}, {right, base}, {middle, base + theme::px(cap)}, colour_of(colours.below));
+        list.AddTriangleFilled({left, base}, {right, base}, {middle, base + px(layout.cap_height)},
+                               colour_of(colours.below));
 }
 
-void draw_ticks(ImDrawList& list, ImVec2 top, float height, const MapMeaning& map, bool logarithmic) {
-    const std::vector<double> ticks = tick_values(map.summary.range, logarithmic, map.labels.integer);
-    const std::vector<std::string> texts = tick_texts(ticks, logarithmic);
-    const float left = top.x + theme::px(bar_left + bar_width);
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
-        const float position = map_position(float(ticks[i]), map.summary.range, logarithmic);
-        const float y = std::round(top.y + height * (1 - position));
-        list.AddLine({left, y}, {left + theme::px(4), y}, theme::dim_text);
-        list.AddText({left + theme::px(8), std::round(y - ImGui::GetFontSize() / 2)}, theme::text, texts[i].c_str());
+void draw_ticks(ImDrawList& list, ImVec2 top, float height, const std::vector<LegendTick>& ticks) {
+    const float left = top.x + px(layout.bar_left + layout.bar_width);
+    for (const LegendTick& tick : ticks) {
+        const float y = std::round(top.y + height * (1 - tick.position));
+        list.AddLine({left, y}, {left + px(layout.tick_length), y}, theme::dim_text);
+        list.AddText({left + px(layout.tick_length + layout.tick_gap), std::round(y - ImGui::GetFontSize() / 2)},
+                     theme::text, tick.text.c_str());
     }
 }
 
-void add_exceptions(Card& card, const MapSummary& s, const Colormap& colours) {
-    const double all = double(s.count + s.missing + s.broken);
-    if (s.above > 0)
-        card.row("> " + number_text(double(s.range.max)), percent_text(double(s.above), all), colour_of(colours.above));
-    if (s.below > 0)
-        card.row("< " + number_text(double(s.range.min)), percent_text(double(s.below), all), colour_of(colours.below));
-    if (s.missing > 0) card.row("no value", percent_text(double(s.missing), all), colour_of(untraced_colour));
-    if (s.broken > 0) card.row("not finite", percent_text(double(s.broken), all), colour_of(nan_colour));
-}
-
-std::string scale_words(const MapMeaning& map, const HeatmapConfig& heat) {
-    std::string words = map.labels.subject;
-    if (!map.labels.unit.empty()) words += ", " + map.labels.unit;
-    if (heat.logarithmic) words += ", log";
-    if (heat.range_mode != RangeMode::automatic)
-        words += heat.range_mode == RangeMode::locked ? ", range locked" : ", range fixed";
-    return words;
-}
-
-void add_quantity(Card& card, float bar, const MapMeaning& map, const HeatmapConfig& heat) {
-    const Colormap& colours = get_colormap(heat.colormap);
+void add_bar(Card& card, float height, const Picture& picture, const LegendText& text) {
+    const MapSummary& summary = picture.map->summary;
     card.gap(10);
-    card.drawing(bar, [&](ImDrawList& list, ImVec2 top) {
-        draw_histogram(list, top, bar, map.summary);
-        draw_colours(list, top, bar, colours, map.summary);
-        draw_ticks(list, top, bar, map, heat.logarithmic);
+    card.drawing(height, [&](ImDrawList& list, ImVec2 top) {
+        draw_histogram(list, top, height, summary);
+        draw_colours(list, top, height, get_colormap(picture.view.heat.colormap), summary);
+        draw_ticks(list, top, height, text.ticks);
     });
     card.gap(10);
-    if (map.summary.count > 0) {
-        card.row("mean", number_text(map.summary.mean));
-        card.row("max", number_text(double(map.summary.max)));
-    }
-    for (const MapFact& fact : map.labels.facts) card.row(fact.label, fact.value);
-    add_exceptions(card, map.summary, colours);
 }
 
-void add_categories(Card& card, const MapMeaning& map) {
-    const double all = double(map.summary.count + map.summary.missing + map.summary.broken);
-    card.gap(6);
-    for (std::size_t i = 0; i < map.labels.categories.size(); ++i)
-        card.row(map.labels.categories[i], count_text(double(map.category_pixels[i]), all),
-                 colour_of(category_colour(int(i))));
-    for (const MapFact& fact : map.labels.facts) card.row(fact.label, fact.value);
+void add_map(Card& card, float bar, const Picture& picture) {
+    const MapMeaning& map = *picture.map;
+    const LegendText text = legend_text(map.labels, picture.view.heat, map.summary, map.category_pixels);
+    card.text(text.title, theme::text, theme::font(theme::Type::body));
+    card.text(text.subject, theme::dim_text, theme::font(theme::Type::body));
+    if (!text.scale.empty()) card.text(text.scale, theme::dim_text, theme::font(theme::Type::body));
+    if (map.labels.categories.empty())
+        add_bar(card, bar, picture, text);
+    else
+        card.gap(6);
+    for (const LegendRow& row : text.rows)
+        card.row(row.label, row.value, row.swatch.a != 0 ? colour_of(row.swatch) : 0);
 }
 
 /// One swatch for each depth from the root's to the deepest shown.
@@ -168,14 +147,7 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
 
 float add_all(ImDrawList* list, ImVec2 corner, float bar, const Picture& picture) {
     Card card(list, corner);
-    if (picture.map) {
-        card.text(picture.map->labels.title, theme::text, theme::font(theme::Type::body));
-        card.text(scale_words(*picture.map, picture.view.heat), theme::dim_text, theme::font(theme::Type::body));
-        if (picture.map->labels.categories.empty())
-            add_quantity(card, bar, *picture.map, picture.view.heat);
-        else
-            add_categories(card, *picture.map);
-    }
+    if (picture.map) add_map(card, bar, picture);
     if (picture.view.overlay.show) {
         if (picture.map) card.gap(6);
         add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);

@@ -31,6 +31,16 @@ bool flag(const Json& json, const char* key, bool otherwise) {
     return json.contains(key) && json[key].is_boolean() ? json[key].get<bool>() : otherwise;
 }
 
+/// The paths under `key` of files that are still there.
+std::vector<std::string> files(const Json& json, const char* key) {
+    std::vector<std::string> found;
+    std::error_code error;
+    if (json.contains(key) && json[key].is_array())
+        for (const Json& path : json[key])
+            if (path.is_string() && fs::is_regular_file(path.get<std::string>(), error)) found.push_back(path);
+    return found;
+}
+
 }  // namespace
 
 WindowMemory recall() {
@@ -45,11 +55,13 @@ WindowMemory recall() {
         memory.sizes.left = number(json, "left", 100.0f, 2000.0f, memory.sizes.left);
         memory.sizes.right = number(json, "right", 100.0f, 2000.0f, memory.sizes.right);
         memory.sizes.bottom = number(json, "bottom", 50.0f, 2000.0f, memory.sizes.bottom);
+        memory.sizes.tall = number(json, "tall", 50.0f, 2000.0f, memory.sizes.tall);
         memory.maximised = flag(json, "maximised", false);
         memory.settings.text_scale = number(json, "text_scale", least_text_scale, largest_text_scale, 1.0f);
         memory.settings.legend_corner = Corner(number(json, "legend_corner", 0, 3, int(Corner::bottom_right)));
         memory.settings.timing = flag(json, "timing", true);
         memory.settings.legend = flag(json, "legend", true);
+        memory.settings.recent_files = files(json, "recent_files");
     } catch (const std::exception&) {
         return {};  // a broken file is as good as none
     }
@@ -68,9 +80,11 @@ void remember(const WindowMemory& memory) {
                     {"left", memory.sizes.left},
                     {"right", memory.sizes.right},
                     {"bottom", memory.sizes.bottom},
+                    {"tall", memory.sizes.tall},
                     {"text_scale", settings.text_scale},
                     {"timing", settings.timing},
                     {"legend", settings.legend},
+                    {"recent_files", settings.recent_files},
                     {"legend_corner", int(settings.legend_corner)}};
     try {
         write_file(file, json_text(json));

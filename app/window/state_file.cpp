@@ -1,8 +1,10 @@
 #include "app/window/state_file.h"
 
 #include "app/json_values.h"
+#include "app/sweep_chart.h"
 #include "app/window/exporting.h"
 #include "renderer/io/file.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -23,7 +25,7 @@ Json json_of(const std::optional<PixelReading>& reading) {
         const PassReading& ray = reading->passes[p];
         if (!ray.traced) continue;
         Json numbers{{"triangle", ray.hit.triangle},
-                     {"t", json_number(ray.hit.t)},
+                     {"t", json_number(ray.distance)},
                      {"exit", exit_reason_name(ray.counters.exit_reason)}};
         for (const CounterInfo& counter : counter_table())
             numbers[std::string(counter.name)] = ray.counters.*counter.field;
@@ -52,8 +54,33 @@ Json json_of(const WindowSettings& window) {
             {"fly_speed", json_number(window.fly_speed)},
             {"help", window.help},
             {"legend", window.legend},
+            {"folder", window.folder},
             {"legend_corner", int(window.legend_corner)},
             {"text_scale", json_number(window.text_scale)}};
+}
+
+/// What STABILITY shows: the case, its verdicts, and the points of its charts.
+Json json_of(const StabilityState& state, const StabilityView& view) {
+    Json json{{"case", view.id},
+              {"charts", view.charts},
+              {"active", state.active},
+              {"what", state.what},
+              {"error", state.error}};
+    if (const auto found = state.verdicts.find(view.id); found != state.verdicts.end()) {
+        json["passed"] = found->second->passed();
+        for (const StabilityRow& row : found->second->rows)
+            json["rows"].push_back(
+                {{"tracer", row.tracer}, {"traversal", row.traversal}, {"n", row.n}, {"mismatches", row.mismatches}});
+    }
+    const auto sweep = state.sweeps.find(view.id);
+    if (sweep == state.sweeps.end()) return json;
+    json["sweep_complete"] = sweep->second->complete;
+    for (const ChartCurve& curve : fault_chart(*sweep->second).curves) {
+        Json points = Json::array();
+        for (const ChartPoint& point : curve.points) points.push_back(Json::array({point.x, point.y, point.bound}));
+        json["curves"][curve.name] = points;
+    }
+    return json;
 }
 
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
@@ -63,14 +90,19 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
-    json["duel"] = {
-        {"rounds", state.duel.rounds.size()}, {"cpu_ms", state.duel.cpu.median_ms}, {"gl_ms", state.duel.gl.median_ms}};
-    json["camera"] = kd::json_of(state.camera);
+    json["duel"] = {{"rounds", state.duel.rounds.size()},
+                    {"width", state.duel.width},
+                    {"height", state.duel.height},
+                    {"cpu_ms", state.duel.cpu.median_ms},
+                    {"gl_ms", state.duel.gl.median_ms}};
+    json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
     json["pinned"] = json_of(state.pinned);
+    json["bottom"] = edit.window.bottom;
+    json["stability"] = json_of(state.stability, edit.window.stability);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
     return json;

@@ -9,6 +9,7 @@ namespace kd::theme {
 inline constexpr ImU32 cpu = IM_COL32(86, 180, 233, 255);
 inline constexpr ImU32 gpu = IM_COL32(230, 159, 0, 255);
 inline constexpr ImU32 selected = IM_COL32(204, 121, 167, 255);
+inline constexpr ImU32 passed = IM_COL32(0, 158, 115, 255);
 inline constexpr ImU32 error = IM_COL32(213, 94, 0, 255);
 
 inline constexpr ImU32 text = IM_COL32(232, 232, 234, 255);

@@ -80,6 +80,7 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (edit.window.legend && uploaded_) draw_legend(area, *uploaded_, edit.window.legend_corner);
+    draw_unfinished(area, state, edit);
 }
 
 void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edit& edit) {
@@ -91,7 +92,8 @@ void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edi
                                      int((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
     if (!state.picture || state.loading.active) return;  // no camera to move yet
     if (over && io.MouseWheel != 0)
-        edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel));
+        edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel),
+                                   glm::length(state.world->scene().bounds.extent()));
     if (ImGui::IsItemActivated()) dragged_ = 0;
     if (ImGui::IsItemActive()) handle_drag(area, state, edit);
     handle_click(state, edit);

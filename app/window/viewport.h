@@ -39,7 +39,11 @@ void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& stat
 /// What the colours of the picture mean, in a corner of it that people can drag it out of.
 void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner);
 
-/// Remarks of the last seconds, in the picture's top left corner.
+/// How many pixels have no answer, as a button that leads to the map of reasons; nothing where all have one. In the
+/// picture's top left corner, or the other one where the legend lies there.
+void draw_unfinished(const Rectangle& area, const EngineState& state, Edit& edit);
+
+/// Remarks of the last seconds, in the picture's top left corner, below that button.
 void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now);
 
 }  // namespace kd

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/viewport.h"
+#include "app/window/widgets.h"
 
 namespace kd {
 
@@ -29,6 +31,16 @@ void draw_crosshair(ImDrawList& list, ImVec2 at) {
 
 ImU32 colour_of(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
+/// Of the picture shown, in its own pixels: estimated from a coarse frame.
+UnfinishedPixels unfinished_in(const EngineState& state) {
+    if (!state.picture) return {};
+    UnfinishedPixels found = state.picture->traced.unfinished;
+    const std::int64_t each = std::int64_t(state.picture->traced.scale) * state.picture->traced.scale;
+    found.pixels *= each;
+    for (std::int64_t& pixels : found.by_reason) pixels *= each;
+    return found;
+}
+
 }  // namespace
 
 void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale) {
@@ -47,13 +59,43 @@ void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& stat
     list.PopClipRect();
 }
 
+void draw_unfinished(const Rectangle& area, const EngineState& state, Edit& edit) {
+    const UnfinishedPixels unfinished = unfinished_in(state);
+    if (unfinished.pixels == 0) return;
+    const Section section("picture");
+    const std::string about = state.picture->traced.scale > 1 ? "≈ " : "";
+    const std::string text = about + unfinished_text(unfinished) + " · show";
+    const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool left = !edit.window.legend || edit.window.legend_corner != Corner::top_left;
+    const float margin = theme::px(12);
+    ImGui::SetNextWindowPos({left ? area.x + margin : area.x + area.width - margin - width, area.y + margin});
+    ImGui::SetNextWindowSize({width, ImGui::GetFrameHeight()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin("##unfinished", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::error);
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK);
+    if (ImGui::Button((text + "###unfinished").c_str(), {width, 0})) edits::show_unfinished(state, edit);
+    ImGui::PopStyleColor(2);
+    Places::note("unfinished");
+    widgets::hint(
+        "Rays of these pixels were given up: they have no answer, and the picture shows none. Click: the map 'exit', "
+        "which shows where and why. Robust rules finish every walk.");
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
 void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now) {
     const float margin = theme::px(12);
     const float padding = theme::px(8);
     const float wrap = std::min(theme::px(420), area.width - 2 * margin - 2 * padding);
     float y = area.y + margin;
+    if (unfinished_in(state).pixels > 0) y += ImGui::GetFrameHeight() + theme::px(4);
     for (const Message& message : state.messages) {
-        if (now - message.time > (message.error ? error_seconds : note_seconds)) continue;
+        const double seconds = message.error ? error_seconds : note_seconds;
+        if (!message.stays && now - message.time > seconds) continue;
         const char* text = message.text.c_str();
         const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
         const ImVec2 low{area.x + margin, y};

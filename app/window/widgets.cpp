@@ -21,10 +21,12 @@ bool choose_in_list(const char* label, std::string& name, const std::vector<Opti
     const Section section(label);
     bool changed = false;
     for (const Option& option : options) {
-        if (ImGui::Selectable(option.name.c_str(), option.name == name) && option.name != name) {
+        ImGui::PushID(option.name.c_str());  // two may be shown alike
+        if (ImGui::Selectable(option.shown().c_str(), option.name == name) && option.name != name) {
             name = option.name;
             changed = true;
         }
+        ImGui::PopID();
         Places::note(option.name);
         hint(option.summary);
     }
@@ -147,10 +149,11 @@ bool combo(const char* label, std::string& name, const std::vector<Option>& opti
            float width) {
     ImGui::SetNextItemWidth(width);
     ImGui::SetNextWindowSizeConstraints({width, 0}, {1e4f, theme::px(480)});
-    const bool open = ImGui::BeginCombo(hidden(label).c_str(), name.c_str(), ImGuiComboFlags_HeightLargest);
+    const auto known = std::ranges::find(options, name, &Option::name);
+    const std::string& preview = known != options.end() ? known->shown() : name;
+    const bool open = ImGui::BeginCombo(hidden(label).c_str(), preview.c_str(), ImGuiComboFlags_HeightLargest);
     if (!open) {
         Places::note(label);
-        const auto known = std::ranges::find(options, name, &Option::name);
         hint(known != options.end() ? fmt::format("{}\n\n{}", tooltip, known->summary) : std::string(tooltip));
         return false;
     }

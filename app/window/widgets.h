@@ -36,6 +36,9 @@ void begin_row(const char* label, std::string_view tooltip);
 /// One of several things to choose from.
 struct Option {
     std::string name, summary;
+    std::string label{};  // shown instead of the name where not empty
+
+    [[nodiscard]] const std::string& shown() const { return label.empty() ? name : label; }
 };
 
 /// Of a table whose entries have a name, a summary, and maybe a title.

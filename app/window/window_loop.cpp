@@ -17,9 +17,11 @@
 #include "app/window/help.h"
 #include "app/window/home_path.h"
 #include "app/window/keys.h"
+#include "app/window/recent_files.h"
 #include "app/window/theme.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/tables.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -43,16 +45,25 @@ double exit_after_s() {
 
 WindowLoop& loop_of(GLFWwindow* window) { return *static_cast<WindowLoop*>(glfwGetWindowUserPointer(window)); }
 
-/// Before Dear ImGui installs its own, which call these on.
+/// Those of Dear ImGui come from here too: keys wait for a frame that can take them.
 void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
     glfwSetWindowUserPointer(window, &loop);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         loop_of(w).on_input("key");
-        if (action != GLFW_RELEASE) loop_of(w).on_key(key, modifiers);
+        loop_of(w).on_key({key, scancode, action, modifiers, 0});
     });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { loop_of(w).on_key({.character = character}); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("move"); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { loop_of(w).on_input("button"); });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("scroll"); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        loop_of(w).on_button();
+        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        loop_of(w).on_input("scroll");
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+    glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { loop_of(w).on_input("resize"); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) loop_of(w).on_drop(paths[0]);
@@ -63,7 +74,7 @@ void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
 
 WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMemory& memory)
     : window_(window), font_(picture_font()), log_(variable("KDSCOPE_EVENT_LOG")),
-      state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes) {
+      state_file_(variable("KDSCOPE_STATE_FILE")), sizes_(memory.sizes), exporter_([] { glfwPostEmptyEvent(); }) {
     edit_.window = memory.settings;
     std::error_code error;
     edit_.window.folder = home_short(std::filesystem::current_path(error));
@@ -72,7 +83,7 @@ WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMem
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().UserData = &places_;
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     apply_scale();
 
@@ -108,7 +119,24 @@ void WindowLoop::on_input(const char* kind) {
     lively_frames_ = frames_after_input;
 }
 
-void WindowLoop::on_key(int key, int modifiers) { keys_.push_back({key, modifiers}); }
+void WindowLoop::on_key(const KeyEvent& event) { waiting_keys_.add(event); }
+
+void WindowLoop::on_button() {
+    on_input("button");
+    waiting_keys_.pause();
+}
+
+void WindowLoop::take_keys() {
+    for (const KeyEvent& event : waiting_keys_.take()) {
+        if (event.character != 0) {
+            ImGui_ImplGlfw_CharCallback(window_.handle(), event.character);
+            continue;
+        }
+        ImGui_ImplGlfw_KeyCallback(window_.handle(), event.key, event.scancode, event.action, event.modifiers);
+        if (event.action != GLFW_RELEASE) keys_.push_back(event);
+    }
+    if (!waiting_keys_.empty()) lively_frames_ = frames_after_input;
+}
 
 void WindowLoop::on_drop(const std::string& path) {
     on_input("drop");
@@ -119,7 +147,8 @@ bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
-    const bool working = state.working() || state.stale();
+    const bool working = state.working() || state.stale() || state.stability.active || edit_.exporting.active;
+    if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
 
@@ -129,8 +158,16 @@ void WindowLoop::run(const std::stop_token& stop) {
     while (!glfwWindowShouldClose(window_.handle()) && !stop.stop_requested() && engine_->now() < end) {
         wait();
         const bool news = engine_->poll();
+        fetch_exports();
         if (news) lively_frames_ = std::max(lively_frames_, 1);
-        const bool moving = engine_->state().working() || !engine_->state().messages.empty();
+        if (window_.hidden()) {  // nothing is drawn or timed, and the first frame after it shows what went on
+            engine_->allow_duel(false);
+            lively_frames_ = frames_after_input;
+            continue;
+        }
+        const EngineState& state = engine_->state();
+        const bool moving =
+            state.working() || state.stability.active || !state.messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) draw_frame();
         --lively_frames_;
     }
@@ -163,6 +200,7 @@ void WindowLoop::apply_scale() {
 void WindowLoop::lay_out_frame() {
     apply_scale();
     places_.clear();
+    take_keys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -175,10 +213,11 @@ void WindowLoop::lay_out_frame() {
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (size.x >= 1 && size.y >= 1) {  // nothing to see of a minimised window
-        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels);
+        const bool tall = bottom_panel().tall;
+        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels, tall);
         viewport_->draw(layout_.picture, engine_->state(), now, seconds, edit_);
         draw_panels(layout_);
-        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_);
+        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_, tall);
         draw_help(edit_);
     }
     ImGui::Render();
@@ -201,6 +240,13 @@ void WindowLoop::present_frame() {
     if (answered) answered_ = inputs_;
 }
 
+const Panel& WindowLoop::bottom_panel() const {
+    const Panel* shown = nullptr;
+    for (const Panel& panel : panels())
+        if (panel.place == PanelPlace::bottom && (!shown || panel.title == edit_.window.bottom)) shown = &panel;
+    return *shown;
+}
+
 void WindowLoop::draw_panels(const Layout& layout) {
     const EngineState& state = engine_->state();
     draw_top_bar(layout.top, state, edit_);
@@ -210,7 +256,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
         begin_area(name, area, {theme::px(12), theme::px(8)},
                    place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
         for (const Panel& panel : panels()) {
-            if (panel.place != place) continue;
+            if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
             const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
             const bool foldable = place != PanelPlace::bottom;
@@ -231,7 +277,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
 void WindowLoop::apply_keys() {
     const bool list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     const bool meant_elsewhere = list_open || ImGui::GetIO().WantTextInput;
-    for (const KeyPress& press : keys_) {
+    for (const KeyEvent& press : keys_) {
         const bool flies = viewport_->flying() && press.key >= GLFW_KEY_A && press.key <= GLFW_KEY_Z;
         // Behind the help nothing changes but the size of its own text.
         const bool behind = edit_.window.help && !(press.modifiers & GLFW_MOD_CONTROL) && press.key != GLFW_KEY_F1 &&
@@ -247,7 +293,11 @@ void WindowLoop::apply_keys() {
 void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
     engine_->set_probes(edit_.hovered, edit_.window.pinned);
-    engine_->allow_duel(edit_.window.timing);
+    engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
+    if (const auto& world = engine_->state().world; world && world != recent_world_) {
+        recent_world_ = world;
+        add_recent(edit_.window.recent_files, world->loaded->name);
+    }
     log_.applied(engine_->state().generation);
     for (const Action action : edit_.actions) carry_out(action);
 }
@@ -260,12 +310,20 @@ void WindowLoop::carry_out(Action action) {
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
         case Action::copy_ray: copy_ray(); break;
+        case Action::run_case:
+            engine_->run_case(edit_.window.stability.id, edit_.window.stability.all_traversals);
+            break;
+        case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
+        case Action::cancel_stability: engine_->cancel_stability(); break;
         default: write_files(action);
     }
 }
 
 void WindowLoop::copy_camera() {
-    glfwSetClipboardString(window_.handle(), camera_text(engine_->state().camera).c_str());
+    const EngineState& state = engine_->state();
+    if (!state.world) return;
+    const Camera camera = to_scene_units(state.world->scene(), state.camera);
+    glfwSetClipboardString(window_.handle(), camera_text(camera).c_str());
     engine_->say(false, "copied the camera");
 }
 
@@ -278,10 +336,11 @@ void WindowLoop::copy_ray() {
 }
 
 void WindowLoop::paste_camera() {
+    if (!engine_->state().world) return;
     const char* text = glfwGetClipboardString(window_.handle());
     try {
         Session session = engine_->state().session;
-        session.camera = parse_camera(text ? text : "");
+        session.camera = to_internal(engine_->state().world->scene(), parse_camera(text ? text : ""));
         engine_->set_session(session);
     } catch (const InputError& error) {
         engine_->say(true, error.what());
@@ -289,18 +348,34 @@ void WindowLoop::paste_camera() {
     lively_frames_ = frames_after_input;
 }
 
+/// Of the state as it is now, whatever changes while the file is being written.
 void WindowLoop::write_files(Action action) {
     if (!engine_->state().picture) return;
-    try {
-        const std::string folder = home_long(edit_.window.folder).string();
-        const auto path = action == Action::export_window ? export_window(read_window(), engine_->state(), folder)
-                                                          : export_file(action, engine_->state(), folder, font_);
-        edit_.last_export = home_short(path);
-        engine_->say(false, "wrote " + edit_.last_export);
-    } catch (const std::exception& error) {
-        engine_->say(true, error.what());
-    }
+    const auto state = std::make_shared<const EngineState>(engine_->state());
+    const auto window =
+        std::make_shared<const Image<Rgba8>>(action == Action::export_window ? read_window() : Image<Rgba8>{});
+    const char* what = action == Action::export_csv ? "CSV" : action == Action::export_json ? "JSON" : "PNG";
+    exporter_.add(what, home_long(edit_.window.folder),
+                  [this, action, state, window](const auto& folder, const auto& progress) {
+                      return action == Action::export_window ? export_window(*window, *state, folder)
+                                                             : export_file(action, *state, folder, font_, progress);
+                  });
     lively_frames_ = frames_after_input;
+}
+
+void WindowLoop::fetch_exports() {
+    for (const Exporter::Done& done : exporter_.fetch()) {
+        lively_frames_ = frames_after_input;
+        if (!done.error.empty()) {
+            engine_->say(true, done.error);
+            continue;
+        }
+        edit_.last_export = home_short(done.path);
+        const std::string made =
+            done.made_folder.empty() ? "" : "made the folder " + home_short(done.made_folder) + "; ";
+        engine_->say(false, made + "wrote " + edit_.last_export);
+    }
+    edit_.exporting = exporter_.progress();
 }
 
 Image<Rgba8> WindowLoop::read_window() const {

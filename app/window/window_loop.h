@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/engine.h"
-#include "app/panels/edit.h"
+#include "app/panels/panel.h"
 #include "app/window/event_log.h"
+#include "app/window/exporter.h"
 #include "app/window/glfw_window.h"
+#include "app/window/key_queue.h"
 #include "app/window/layout.h"
 #include "app/window/memory.h"
 #include "app/window/places.h"
@@ -31,21 +33,20 @@ class WindowLoop {
     [[nodiscard]] WindowMemory memory() const;
 
     // What GLFW reports; public for its callbacks.
-    void on_key(int key, int modifiers);
+    void on_key(const KeyEvent& event);
+    void on_button();
     void on_input(const char* kind);
     void on_drop(const std::string& path);
 
   private:
-    struct KeyPress {
-        int key, modifiers;
-    };
-
     void wait() const;
     void draw_frame();
     void lay_out_frame();
     void apply_scale();
     void present_frame();
     void draw_panels(const Layout& layout);
+    void take_keys();
+    [[nodiscard]] const Panel& bottom_panel() const;
     void apply_keys();
     void apply_edit();
     void carry_out(Action action);
@@ -53,6 +54,7 @@ class WindowLoop {
     void copy_ray();
     void paste_camera();
     void write_files(Action action);
+    void fetch_exports();
     [[nodiscard]] Image<Rgba8> read_window() const;
     [[nodiscard]] bool resting() const;
 
@@ -68,12 +70,15 @@ class WindowLoop {
     float scale_ = 0;  // that theme and fonts were made for
     Edit edit_;
     Layout layout_;
-    std::vector<KeyPress> keys_;
+    KeyQueue waiting_keys_;
+    std::vector<KeyEvent> keys_;  // pressed, for the frame that begins
     std::vector<std::string> dropped_;
     InputCounts inputs_, answered_;  // that came, and that the screen answers
     int lively_frames_ = 4;          // to draw before waiting again: Dear ImGui answers some inputs one frame late
     double last_frame_ = 0;
+    std::shared_ptr<const World> recent_world_;  // whose file is among the recent ones
     bool window_export_ = false;
+    Exporter exporter_;  // last: ends before what it uses goes
 };
 
 }  // namespace kd

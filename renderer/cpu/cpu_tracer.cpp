@@ -2,8 +2,6 @@
 
 #include <atomic>
 #include <hwy/highway.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/threads.h"
@@ -16,15 +14,6 @@ namespace {
 constexpr int tile_size = 16;
 // Between looks at the stop request; rays of the naive traversal take as long as there are triangles.
 constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
-
-template <class Work>
-void parallel(std::size_t count, std::size_t grain, int threads, const Work& work) {
-    on_threads(threads, [&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, count, grain),
-            [&](const auto& range) { work(range.begin(), range.end()); }, tbb::simple_partitioner{});
-    });
-}
 
 }  // namespace
 
@@ -55,8 +44,9 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
                             Frame& frame, int threads, std::stop_token stop,
                             const std::function<void(float)>& progress) {
     prepare(config);
+    frame.exponent = view_->scene->exponent;
     std::atomic<std::size_t> done = 0;
-    parallel(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
+    parallel_ranges(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
             run_tile_job({*view_, config, camera, tiles[i], frame});
             const std::size_t finished = ++done;
@@ -76,7 +66,7 @@ bool CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays,
     prepare(config);
     const std::size_t grain = config.traversal == Traversal::naive ? naive_rays_per_task : rays_per_task;
     std::atomic<std::size_t> done = 0;
-    parallel(rays.size(), grain, threads, [&](std::size_t first, std::size_t last) {
+    parallel_ranges(rays.size(), grain, threads, [&](std::size_t first, std::size_t last) {
         if (stop.stop_requested()) return;
         const std::size_t n = last - first;
         run_ray_job({*view_, config, rays.subspan(first, n), any_hit, hits.subspan(first, n),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/gl/context_kinds.h"
+#include "renderer/gl/fault.h"
 
 namespace kd {
 
@@ -89,6 +90,10 @@ void Context::load(GlApi::GetProc get_proc) {
     if (!missing.empty())
         throw ContextError(fmt::format("{} on '{}' lacks {} of its functions, first {}", version_, renderer_,
                                        missing.size(), missing.front()));
+    if (10 * major + minor >= 45)
+        gl_.GetGraphicsResetStatus =
+            reinterpret_cast<PFNGLGETGRAPHICSRESETSTATUSPROC>(get_proc("glGetGraphicsResetStatus"));
+    inject_faults(gl_);
     if (wants_gl_messages()) collect_gl_messages(gl_, messages_);
 }
 

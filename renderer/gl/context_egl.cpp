@@ -88,16 +88,20 @@ EGLContext create_on(const Egl& egl, EGLDisplay display) {
     EGLint count = 0;
     if (!egl.ChooseConfig(display, wanted, &config, 1, &count) || count == 0) return EGL_NO_CONTEXT;
 
-    for (const GlVersion version : gl_versions) {
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     version.major,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     version.minor,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
-        if (EGLContext context = egl.CreateContext(display, config, EGL_NO_CONTEXT, attributes)) return context;
-    }
+    for (const GlVersion version : gl_versions)
+        for (const bool robust : {true, false}) {
+            std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       version.major,
+                                           EGL_CONTEXT_MINOR_VERSION,       version.minor,
+                                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+            // Tells when the GPU was reset, and reads nothing of others beyond the end of a buffer. Not all drivers can.
+            if (robust)
+                attributes.insert(attributes.end(),
+                                  {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET,
+                                   EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+            attributes.push_back(EGL_NONE);
+            if (EGLContext context = egl.CreateContext(display, config, EGL_NO_CONTEXT, attributes.data()))
+                return context;
+        }
     return EGL_NO_CONTEXT;
 }
 

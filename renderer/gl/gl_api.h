@@ -62,11 +62,19 @@
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                                                            \
     X(GetProgramiv, GETPROGRAMIV)                                                                                      \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)                                                                        \
+    X(GetQueryiv, GETQUERYIV)                                                                                          \
     X(GetShaderInfoLog, GETSHADERINFOLOG)                                                                              \
     X(GetShaderiv, GETSHADERIV)                                                                                        \
     X(GetString, GETSTRING)                                                                                            \
     X(GetTexImage, GETTEXIMAGE)                                                                                        \
+    X(IsBuffer, ISBUFFER)                                                                                              \
     X(IsEnabled, ISENABLED)                                                                                            \
+    X(IsFramebuffer, ISFRAMEBUFFER)                                                                                    \
+    X(IsProgram, ISPROGRAM)                                                                                            \
+    X(IsQuery, ISQUERY)                                                                                                \
+    X(IsShader, ISSHADER)                                                                                              \
+    X(IsTexture, ISTEXTURE)                                                                                            \
+    X(IsVertexArray, ISVERTEXARRAY)                                                                                    \
     X(LinkProgram, LINKPROGRAM)                                                                                        \
     X(ObjectLabel, OBJECTLABEL)                                                                                        \
     X(PixelStorei, PIXELSTOREI)                                                                                        \
@@ -96,6 +104,8 @@ struct GlApi {
     KD_GL_FUNCTIONS(KD_GL_MEMBER)
 #undef KD_GL_MEMBER
 
+    /// Null where the driver does not tell: below OpenGL 4.5.
+    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
     GlMessages* messages = nullptr;  // what the driver said, where it is asked to (renderer/gl/gl_debug.h)
 
     /// Fills the table from eglGetProcAddress, OSMesaGetProcAddress, glfwGetProcAddress or alike, and returns the names

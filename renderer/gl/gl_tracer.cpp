@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/gl/gl_tracer_impl.h"
+#include "renderer/gl/self_test.h"
 #include "renderer/gl/state_guard.h"
 
 namespace kd {
@@ -68,7 +69,10 @@ void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture) {
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
 }
 
-GlTracer::GlTracer(Context& context) : impl_(std::make_unique<Impl>(context)) {}
+GlTracer::GlTracer(Context& context) : impl_(std::make_unique<Impl>(context)) {
+    self_test(*this, context.renderer());
+    impl_->uploaded.reset();
+}
 
 GlTracer::~GlTracer() = default;
 

@@ -47,6 +47,7 @@ struct GlMemory {
 /// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
 class GlTracer {
   public:
+    /// SelfTestError where the context computes wrongly (renderer/gl/self_test.h).
     explicit GlTracer(Context& context);
     ~GlTracer();
 

@@ -7,10 +7,11 @@
 namespace kd {
 
 Frame GlTracer::read_frame(const TraceConfig& config) {
-    const Impl& t = *impl_;
+    Impl& t = *impl_;
     const TargetKey& key = t.targets.key();
     Frame frame(key.width, key.height);
     if (frame.colour.empty()) return frame;
+    frame.exponent = t.scene().scene().exponent;
     const StateGuard guard(t.gl);
     const TargetReader reader(t.gl, frame.colour.pixels.size());
     reader.read_colour(t.targets.colour(), frame.colour.pixels);

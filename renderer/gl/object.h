@@ -1,11 +1,16 @@
 // OpenGL objects as move-only values: made by the constructor, deleted by the destructor, with the context current.
 #pragma once
 
+#include <array>
 #include <utility>
 
 #include "renderer/gl/gl_api.h"
 
 namespace kd {
+
+/// How many buffers, textures, framebuffers, vertex arrays, queries, programs and shaders the context holds. Slow: asks for
+/// every name up to the newest.
+[[nodiscard]] std::array<int, 7> count_objects(const GlApi& gl);
 
 /// An object named by glGenXs and glDeleteXs.
 template <auto generate, auto remove>

@@ -10,7 +10,18 @@ double ms_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Bits of 0 mean that the driver takes the queries and measures nothing.
+bool has_timer(const GlApi& gl) {
+    GLint elapsed = 0;
+    GLint stamp = 0;
+    gl.GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &elapsed);
+    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &stamp);
+    return elapsed > 0 && stamp > 0;
+}
+
 }  // namespace
+
+PassTimer::PassTimer(const GlApi& gl, bool software) : gl_(gl), by_wall_(software || !has_timer(gl)) {}
 
 GLuint PassTimer::query(std::size_t index) {
     while (queries_.size() <= index) queries_.emplace_back(gl_);
@@ -19,7 +30,7 @@ GLuint PassTimer::query(std::size_t index) {
 
 void PassTimer::begin_frame() {
     spans_.clear();
-    if (software_) {
+    if (by_wall_) {
         gl_.Finish();
         frame_begin_ = Clock::now();
     } else {
@@ -29,7 +40,7 @@ void PassTimer::begin_frame() {
 
 void PassTimer::begin(Pass pass) {
     spans_.push_back({pass, frame_queries + spans_.size()});
-    if (software_) {
+    if (by_wall_) {
         gl_.Finish();
         span_begin_ = Clock::now();
     } else {
@@ -38,7 +49,7 @@ void PassTimer::begin(Pass pass) {
 }
 
 void PassTimer::end() {
-    if (software_) {
+    if (by_wall_) {
         gl_.Finish();
         spans_.back().ms = ms_since(span_begin_);
     } else {
@@ -55,7 +66,7 @@ double PassTimer::elapsed_ms(std::size_t first, std::size_t second) {
 }
 
 void PassTimer::end_frame(GlFrameReport& report) {
-    if (software_) {
+    if (by_wall_) {
         gl_.Finish();
         report.total_ms = ms_since(frame_begin_);
         report.clock = "finish + steady clock";
@@ -65,7 +76,7 @@ void PassTimer::end_frame(GlFrameReport& report) {
         report.clock = "timer query";
     }
     for (Span& span : spans_) {
-        if (!software_) {
+        if (!by_wall_) {
             GLuint64 ns = 0;
             gl_.GetQueryObjectui64v(query(span.query), GL_QUERY_RESULT, &ns);
             span.ms = double(ns) * 1e-6;

@@ -1,5 +1,5 @@
 // Time per pass by an honest clock: timer queries on hardware; on software renderers, whose timer queries mean nothing,
-// glFinish and a steady clock.
+// and on drivers without them, glFinish and a steady clock.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@ namespace kd {
 
 class PassTimer {
   public:
-    PassTimer(const GlApi& gl, bool software) : gl_(gl), software_(software) {}
+    PassTimer(const GlApi& gl, bool software);
 
     void begin_frame();
     void begin(Pass pass);
@@ -22,14 +22,14 @@ class PassTimer {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// One timed stretch; with `query` on hardware, `ms` on software.
+    /// One timed stretch; with `query` on hardware, `ms` by the wall clock.
     struct Span {
         Pass pass;
         std::size_t query = 0;
         double ms = 0;
     };
     const GlApi& gl_;
-    bool software_;
+    bool by_wall_;                  // glFinish and a steady clock
     std::vector<GlQuery> queries_;  // kept over frames: two for the frame, then one per span
     std::vector<Span> spans_;
     Clock::time_point frame_begin_, span_begin_;

@@ -55,7 +55,7 @@ struct Channel {
 };
 
 /// Sorted by name, as the format demands.
-std::vector<Channel> channels_of(const RayLayer& layer) {
+std::vector<Channel> channels_of(const Frame& frame, const RayLayer& layer) {
     std::vector<Channel> channels;
     const auto add = [&](std::string_view name, const auto& pixels, auto value) {
         Channel channel{std::string(name), {}};
@@ -67,7 +67,7 @@ std::vector<Channel> channels_of(const RayLayer& layer) {
         add(counter.name, layer.counters.pixels, [&](const RayCounters& c) { return c.*counter.field; });
     }
     add("exit_reason", layer.counters.pixels, [](const RayCounters& c) { return c.exit_reason; });
-    add("t", layer.hit.pixels, [](const Hit& hit) { return hit.t; });
+    add("t", layer.hit.pixels, [&](const Hit& hit) { return in_scene_units(frame, hit).t; });
     std::ranges::sort(channels, {}, &Channel::name);
     return channels;
 }
@@ -110,15 +110,16 @@ std::string encode_exr(std::vector<Channel>& channels, int width, int height, co
 
 }  // namespace
 
-std::string frame_csv(const Frame& frame) {
+std::string frame_csv(const Frame& frame, const std::function<void(float)>& progress) {
     const std::vector<Pass> passes = passes_run(frame);
     std::string text = csv_header(passes);
     auto out = std::back_inserter(text);
     for (int y = 0; y < frame.height; ++y) {
+        if (progress) progress(float(y) / float(frame.height));
         for (int x = 0; x < frame.width; ++x) {
             fmt::format_to(out, "{},{}", x, y);
             for (const Pass pass : passes) {
-                const Hit& hit = frame.layer(pass).hit.at(x, y);
+                const Hit hit = in_scene_units(frame, frame.layer(pass).hit.at(x, y));
                 const RayCounters& counters = frame.layer(pass).counters.at(x, y);
                 fmt::format_to(out, ",{},{},{},{}", hit.triangle, plain_zero(hit.t), plain_zero(hit.u),
                                plain_zero(hit.v));
@@ -135,7 +136,7 @@ void write_frame_exr(const std::filesystem::path& path, const Frame& frame) {
     if (frame.width <= 0 || frame.height <= 0) {
         throw InputError("cannot write " + printable(path.string(), 4096) + ": the picture is empty");
     }
-    std::vector<Channel> channels = channels_of(frame.layer(Pass::rt_prim));
+    std::vector<Channel> channels = channels_of(frame, frame.layer(Pass::rt_prim));
     write_file(path, encode_exr(channels, frame.width, frame.height, path.string()));
 }
 

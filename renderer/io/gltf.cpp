@@ -43,8 +43,10 @@ void add_instances(GltfContext& context, const tinygltf::Model& model, const std
 Aabb world_bounds(const Scene& scene) {
     Aabb bounds;
     for (const Instance& instance : scene.instances) {
-        for (const Vec3& position : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
-            const Vec3 world(instance.to_world * Vec4(position, 1.0f));
+        // By the corners of triangles: a mesh may hold far more positions than it uses, and be shown often.
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        for (const std::uint32_t vertex : mesh.indices) {
+            const Vec3 world(instance.to_world * Vec4(mesh.positions[vertex], 1.0f));
             // Written so that NaN fails; flatten() drops such triangles.
             const bool usable = glm::dot(glm::abs(world), Vec3(1.0f)) <= KD_COORDINATE_LIMIT;
             if (usable) bounds.include(world);
@@ -58,7 +60,6 @@ Scene convert(GltfContext& context, const tinygltf::Model& model) {
     const std::vector<PlacedNode> nodes = placed_nodes(context, model);
     Scene scene;
     add_instances(context, model, nodes, scene);
-    if (scene.instances.empty()) context.note("found no triangles in the scene");
     if (!model.animations.empty() || !model.skins.empty()) {
         context.note("shown skins, morph targets and animations in their static pose");
     }
@@ -70,13 +71,15 @@ Scene convert(GltfContext& context, const tinygltf::Model& model) {
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path) { return decode_gltf(read_file(path), path); }
+Scene load_gltf(const std::filesystem::path& path, const GltfLimits& limits) {
+    return decode_gltf(read_file(path), path, limits);
+}
 
-Scene decode_gltf(std::string_view bytes, const std::filesystem::path& path) {
-    GltfContext context(path.string());
+Scene decode_gltf(std::string_view bytes, const std::filesystem::path& path, const GltfLimits& limits) {
+    GltfContext context(path.string(), limits);
     Scene scene;
     try {
-        scene = convert(context, parse_gltf(context, bytes, path.parent_path()));
+        scene = convert(context, parse_gltf(context, bytes, path));
     } catch (const InputError&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 #include "renderer/io/gltf_container.h"
 
 #include <cstdint>
+#include <string>
 
 namespace kd {
 
@@ -20,6 +21,13 @@ std::uint32_t word_at(std::string_view bytes, std::uint64_t offset) {
     return word;
 }
 
+/// glTF as text, whatever its name says: an object, perhaps after a byte order mark.
+bool begins_like_json(std::string_view bytes) {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{';
+}
+
 /// The chunk at `offset`; its header and all its bytes lie within `container`.
 std::string_view chunk_at(const GltfContext& context, std::string_view container, std::uint64_t offset,
                           std::uint32_t type, const char* name) {
@@ -37,9 +45,15 @@ std::string_view chunk_at(const GltfContext& context, std::string_view container
 
 }  // namespace
 
-GltfText open_gltf(GltfContext& context, std::string_view bytes) {
+GltfText open_gltf(GltfContext& context, std::string_view bytes, bool named_glb) {
     if (bytes.empty()) context.fail("", "the file is empty");
-    if (!bytes.starts_with("glTF")) return {.json = bytes, .container = {}};
+    if (!bytes.starts_with("glTF")) {
+        if (named_glb && !begins_like_json(bytes)) {
+            context.fail("",
+                         "GLB header: bad magic '" + std::string(bytes.substr(0, 4)) + "'; a GLB begins with 'glTF'");
+        }
+        return {.json = bytes, .container = {}};
+    }
     if (bytes.size() < header_size) context.fail("", "GLB header: cut off");
     if (const std::uint32_t version = word_at(bytes, 4); version != 2) {
         context.fail("", "GLB version " + std::to_string(version) + " is not supported; export as glTF 2.0");

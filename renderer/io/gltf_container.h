@@ -18,7 +18,7 @@ struct GltfText {
 };
 
 /// Tells GLB from JSON by the first four bytes and checks every length of a GLB against the bytes that are there.
-/// InputError. Trailing bytes are cut off with a note.
-[[nodiscard]] GltfText open_gltf(GltfContext& context, std::string_view bytes);
+/// InputError, also for what was `named_glb` and is neither. Trailing bytes are cut off with a note.
+[[nodiscard]] GltfText open_gltf(GltfContext& context, std::string_view bytes, bool named_glb);
 
 }  // namespace kd

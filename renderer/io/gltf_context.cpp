@@ -7,7 +7,7 @@
 
 namespace kd {
 
-GltfContext::GltfContext(std::string file) : file_(printable(file, 4096)) {}
+GltfContext::GltfContext(std::string file, const GltfLimits& limits) : file_(printable(file, 4096)), limits_(limits) {}
 
 void GltfContext::fail(std::string_view pointer, std::string_view reason) const {
     std::string line = file_ + ": ";
@@ -17,7 +17,11 @@ void GltfContext::fail(std::string_view pointer, std::string_view reason) const 
 
 void GltfContext::note(std::string_view text) {
     const Entry entry{printable(text, 400), "", 0};
-    if (std::ranges::find(entries_, entry) == entries_.end()) entries_.push_back(entry);
+    if (std::ranges::find(entries_, entry) != entries_.end()) return;
+    if (entries_.size() < limits_.notes)
+        entries_.push_back(entry);
+    else
+        ++untold_;
 }
 
 void GltfContext::count(std::string_view verb, std::string_view noun, std::string_view what, std::uint64_t number) {
@@ -43,6 +47,7 @@ std::vector<std::string> GltfContext::notes() const {
         }
         lines.push_back(std::move(line));
     }
+    if (untold_ > 0) lines.push_back("and " + std::to_string(untold_) + " more of such remarks");
     return lines;
 }
 

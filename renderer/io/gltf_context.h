@@ -6,19 +6,22 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/io/gltf_limits.h"
+
 namespace kd {
 
 class GltfContext {
   public:
     /// `file` as errors name it.
-    explicit GltfContext(std::string file);
+    explicit GltfContext(std::string file, const GltfLimits& limits = {});
 
     [[nodiscard]] const std::string& file() const { return file_; }
+    [[nodiscard]] const GltfLimits& limits() const { return limits_; }
 
     /// Throws InputError "file: pointer: reason". `pointer` is a JSON pointer (RFC 6901), empty for the whole file.
     [[noreturn]] void fail(std::string_view pointer, std::string_view reason) const;
 
-    /// Adds a note, once however often it is made.
+    /// Adds a note, once however often it is made; beyond limits().notes different ones it is only counted.
     void note(std::string_view text);
     /// Counts things of one kind into one note: count("skipped", "primitive", " of points") gives "skipped 3 primitives
     /// of points".
@@ -33,7 +36,9 @@ class GltfContext {
         bool operator==(const Entry&) const = default;
     };
     std::string file_;
+    GltfLimits limits_;
     std::vector<Entry> entries_;
+    std::uint64_t untold_ = 0;
 };
 
 /// "/a/b" + 3 -> "/a/b/3"

@@ -71,14 +71,14 @@ std::optional<Image<Rgba8>> decode_jpeg(Bytes bytes) {
 }
 
 /// Nothing, with the reason in `reason`, where it cannot be decoded.
-std::optional<Image<Rgba8>> decode(Bytes bytes, std::uint64_t pixels_left, std::string& reason) {
+std::optional<Image<Rgba8>> decode(Bytes bytes, std::uint64_t most_pixels, std::string& reason) {
     reason = bytes.empty() ? "cannot be read" : "is neither PNG nor JPEG";
     if (!is_png(bytes) && !is_jpeg(bytes)) return std::nullopt;
     reason = "is broken";
     const std::optional<Size> size = is_png(bytes) ? png_size(bytes) : jpeg_size(bytes);
     if (!size || size->width == 0 || size->height == 0) return std::nullopt;
     // Both sides have at most 32 bits, so the product fits.
-    if (size->width * size->height > std::min(largest_image, pixels_left)) {
+    if (size->width * size->height > most_pixels) {
         reason = "is too large with " + std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels";
         return std::nullopt;
     }
@@ -101,7 +101,8 @@ Image<Rgba8> decode_gltf_image(GltfContext& context, const tinygltf::Model& mode
                                std::uint64_t& pixels_left) {
     const tinygltf::Image& image = model.images[index];
     std::string reason;
-    std::optional<Image<Rgba8>> decoded = decode(image.image, pixels_left, reason);
+    std::optional<Image<Rgba8>> decoded =
+        decode(image.image, std::min(context.limits().image_pixels, pixels_left), reason);
     if (!decoded) {
         context.note("replaced " + name_of(image, index) + " by white, as it " + reason);
         return Image<Rgba8>(1, 1, Rgba8{255, 255, 255, 255});

@@ -10,11 +10,8 @@
 
 namespace kd {
 
-inline constexpr std::uint64_t largest_image = std::uint64_t(64) << 20;         // pixels of one image: 256 MiB
-inline constexpr std::uint64_t largest_image_total = std::uint64_t(256) << 20;  // pixels of all of a file
-
 /// Image number `index`, decoded. One white pixel, with a note, where it cannot be read, is neither PNG nor JPEG, is
-/// larger than largest_image or than the `pixels_left`, which are reduced by what it takes.
+/// larger than the limit or than the `pixels_left`, which are reduced by what it takes.
 [[nodiscard]] Image<Rgba8> decode_gltf_image(GltfContext& context, const tinygltf::Model& model, std::size_t index,
                                              std::uint64_t& pixels_left);
 

@@ -21,8 +21,10 @@ bool supported(std::string_view extension) {
     return std::ranges::find(supported_extensions, extension) != supported_extensions.end();
 }
 
-void check_nesting(const GltfContext& context, std::string_view text) {
+/// Before it is parsed: how deep it is nested, which costs stack, and how many values it can hold, which cost memory.
+void check_extent(const GltfContext& context, std::string_view text) {
     int depth = 0;
+    std::uint64_t values = 1;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -33,8 +35,13 @@ void check_nesting(const GltfContext& context, std::string_view text) {
         }
         if (c == '"') in_string = true;
         if (c == '[' || c == '{') ++depth;
+        if (c == '[' || c == '{' || c == ',' || c == ':') ++values;
         if (c == ']' || c == '}') --depth;
         if (depth > deepest_nesting) context.fail("", "JSON nested deeper than " + std::to_string(deepest_nesting));
+    }
+    if (values > context.limits().json_values) {
+        context.fail("", "about " + std::to_string(values) + " JSON values; the limit is " +
+                             std::to_string(context.limits().json_values));
     }
 }
 
@@ -76,7 +83,7 @@ void check_extensions(GltfContext& context, const json& gltf) {
 }  // namespace
 
 json parse_gltf_json(const GltfContext& context, std::string_view text) {
-    check_nesting(context, text);
+    check_extent(context, text);
     try {
         json gltf = json::parse(text.begin(), text.end());
         if (!gltf.is_object()) context.fail("", "the JSON is not an object, so this is not glTF");

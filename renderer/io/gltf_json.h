@@ -8,7 +8,8 @@
 
 namespace kd {
 
-/// InputError for text that is not a JSON object, or is nested more than 256 deep (later code may recurse).
+/// InputError for text that is not a JSON object, is nested more than 256 deep (later code may recurse), or holds more
+/// values than the limit.
 [[nodiscard]] nlohmann::json parse_gltf_json(const GltfContext& context, std::string_view text);
 
 /// Version, required extensions, and the type and range of every value that the loader relies on: indices name

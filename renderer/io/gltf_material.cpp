@@ -26,7 +26,7 @@ Vec2 UvTransform::apply(Vec2 uv) const {
 }
 
 GltfMaterials::GltfMaterials(GltfContext& context, const tinygltf::Model& model, Scene& scene)
-    : context_(context), model_(model), scene_(scene), pixels_left_(largest_image_total) {}
+    : context_(context), model_(model), scene_(scene), pixels_left_(context.limits().all_image_pixels) {}
 
 const MaterialUse& GltfMaterials::use(int index) {
     if (index != -1 && !names_one_of(index, model_.materials.size())) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 
 #include "renderer/io/gltf_accessor.h"
 #include "renderer/io/printable.h"
@@ -65,12 +67,40 @@ std::vector<Vector> read_companion(GltfContext& context, const tinygltf::Model& 
     return read_vectors<Vector>(context, model, accessor);
 }
 
-std::vector<Vec3> read_positions(const GltfContext& context, const tinygltf::Model& model, int accessor) {
+/// Whether `given`, an accessor's min or max, is not `true_bound` but for rounding in decimals. Lists of another length are
+/// no bounds.
+bool contradicts(const std::vector<double>& given, Vec3 true_bound) {
+    if (given.size() != 3) return false;
+    const double size = std::max({std::abs(true_bound.x), std::abs(true_bound.y), std::abs(true_bound.z)});
+    for (int i = 0; i < 3; ++i) {
+        const double difference = std::abs(given[static_cast<std::size_t>(i)] - static_cast<double>(true_bound[i]));
+        if (difference > 1e-5 * size) return true;
+    }
+    return false;
+}
+
+/// What the file says of the bounds is never used, so a wrong word does no harm; but it tells of a broken exporter.
+void check_bounds(GltfContext& context, const tinygltf::Accessor& accessor, const std::vector<Vec3>& positions) {
+    if (accessor.normalized || positions.empty()) return;  // then they are in the units of the stored integers
+    Vec3 lower = positions.front();
+    Vec3 upper = lower;
+    for (const Vec3& p : positions) {
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+    }
+    if (contradicts(accessor.minValues, lower) || contradicts(accessor.maxValues, upper)) {
+        context.count("ignored min and max of", "primitive", ", which are not those of its positions");
+    }
+}
+
+std::vector<Vec3> read_positions(GltfContext& context, const tinygltf::Model& model, int accessor) {
     const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
     if (a.type != TINYGLTF_TYPE_VEC3 || a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
         context.fail(pointer_to("/accessors", static_cast<std::size_t>(accessor)), "positions must be VEC3 of float");
     }
-    return read_vectors<Vec3>(context, model, accessor);
+    std::vector<Vec3> positions = read_vectors<Vec3>(context, model, accessor);
+    check_bounds(context, a, positions);
+    return positions;
 }
 
 /// Three vertex numbers per triangle; triangles with an index that names no vertex are left out.
@@ -145,27 +175,31 @@ Mesh convert(GltfContext& context, const tinygltf::Model& model, const tinygltf:
 
 void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
                       const std::vector<std::uint64_t>& uses) {
-    std::uint64_t triangles = 0;
-    std::uint64_t vertices = 0;
+    const GltfLimits& limits = context.limits();
+    struct Sum {
+        std::uint64_t limit;
+        const char* what;
+        std::uint64_t value = 0;
+    };
+    Sum triangles{limits.triangles, "triangles with all instances"};
+    Sum vertices{limits.vertices, "vertices"};
+    Sum instances{limits.instances, "instances of primitives"};
+    // Factors are cut to just above the limit, so that no product or sum comes near 2^64: one over it ends all.
+    const auto add = [&](Sum& sum, std::uint64_t each, std::uint64_t times) {
+        sum.value += std::min(each, sum.limit + 1) * std::min(times, sum.limit + 1);
+        if (sum.value <= sum.limit) return;
+        context.fail("", "at least " + std::to_string(sum.value) + " " + sum.what + "; the limit is " +
+                             std::to_string(sum.limit));
+    };
     for (std::size_t i = 0; i < model.meshes.size(); ++i) {
         if (uses[i] == 0) continue;
         for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
             const std::uint64_t positions = element_count(model, attribute(primitive, position_name));
             if (!is_triangles(primitive) || positions == 0) continue;
             const std::uint64_t count = primitive.indices >= 0 ? element_count(model, primitive.indices) : positions;
-            // Both factors and both sums stay far below 2^64: what is too large ends the loop at once.
-            const std::uint64_t each = std::min(triangle_count(primitive.mode, count), largest_triangle_count + 1);
-            triangles += each * std::min(uses[i], largest_triangle_count + 1);
-            vertices += std::min(positions, largest_vertex_count + 1);
-            if (triangles > largest_triangle_count) {
-                context.fail("", "at least " + std::to_string(triangles) +
-                                     " triangles with all instances; the limit is " +
-                                     std::to_string(largest_triangle_count));
-            }
-            if (vertices > largest_vertex_count) {
-                context.fail("",
-                             "more than " + std::to_string(largest_vertex_count) + " vertices; use a smaller scene");
-            }
+            add(triangles, triangle_count(primitive.mode, count), uses[i]);
+            add(vertices, positions, 1);
+            add(instances, 1, uses[i]);
         }
     }
 }

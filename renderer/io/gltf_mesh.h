@@ -11,11 +11,8 @@
 
 namespace kd {
 
-inline constexpr std::uint64_t largest_triangle_count = 50'000'000;  // after instancing
-inline constexpr std::uint64_t largest_vertex_count = 50'000'000;    // before it
-
-/// InputError where the meshes, `uses[i]` times mesh i, come to more triangles or vertices than the limits. Reads
-/// counts only, so that a small file cannot make the loader ask for much memory.
+/// InputError where the meshes, `uses[i]` times mesh i, come to more triangles, vertices or instances than the limits.
+/// Reads counts only, so that a small file cannot make the loader ask for much memory.
 void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model, const std::vector<std::uint64_t>& uses);
 
 /// Adds one mesh to the scene for each primitive of mesh `index` that is made of triangles, and returns their numbers.

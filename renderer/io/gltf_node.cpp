@@ -1,9 +1,9 @@
 #include "renderer/io/gltf_node.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <ranges>
 
 namespace kd {
 
@@ -59,7 +59,8 @@ std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model
     // Last in, first out, so children are put on in reverse.
     std::vector<PlacedNode> waiting;
     const auto put = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
-        for (const int node : std::views::reverse(nodes)) waiting.push_back({static_cast<std::size_t>(node), parent});
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+            waiting.push_back({static_cast<std::size_t>(*node), parent});
     };
     put(root_nodes(model), glm::dmat4(1.0));
 

@@ -1,5 +1,7 @@
 #include "renderer/io/gltf_parse.h"
 
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "renderer/geometry/input_error.h"
@@ -19,7 +21,7 @@ std::string same_path(const std::string& name, void*) { return name; }
 
 bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
     try {
-        *out = static_cast<const GltfResources*>(user)->read(name);
+        *out = static_cast<GltfResources*>(user)->read(name);
         return true;
     } catch (const InputError& reason) {
         *error = reason.what();
@@ -60,11 +62,13 @@ tinygltf::Model decode(const GltfContext& context, const GltfText& text, GltfRes
 
 }  // namespace
 
-tinygltf::Model parse_gltf(GltfContext& context, std::string_view bytes, const std::filesystem::path& folder) {
-    const GltfText text = open_gltf(context, bytes);
+tinygltf::Model parse_gltf(GltfContext& context, std::string_view bytes, const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const GltfText text = open_gltf(context, bytes, extension == ".glb");
     const nlohmann::json json = parse_gltf_json(context, text.json);
     check_gltf_json(context, json);
-    GltfResources resources(context, json, text, folder);
+    GltfResources resources(context, json, text, path.parent_path());
     return decode(context, text, resources);
 }
 

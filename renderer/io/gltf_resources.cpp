@@ -9,6 +9,7 @@
 
 namespace kd {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
@@ -33,10 +34,20 @@ void check_view(const GltfContext& context, const json& view, const std::string&
     }
 }
 
+/// Adds `size` to `total`, neither above `limit`.
+void add_within(const GltfContext& context, const std::string& pointer, const char* what, std::uint64_t size,
+                std::uint64_t limit, std::uint64_t& total) {
+    if (size > limit - total) {
+        context.fail(pointer,
+                     std::string("the ") + what + " are larger than the limit of " + std::to_string(limit) + " bytes");
+    }
+    total += size;
+}
+
 }  // namespace
 
 GltfResources::GltfResources(GltfContext& context, const json& gltf, const GltfText& text, std::filesystem::path folder)
-    : folder_(folder.empty() ? "." : std::move(folder)) {
+    : folder_(folder.empty() ? "." : std::move(folder)), limits_(context.limits()) {
     const json none = json::array();
     const auto list = [&](const char* name) -> const json& { return gltf.contains(name) ? gltf.at(name) : none; };
 
@@ -47,11 +58,7 @@ GltfResources::GltfResources(GltfContext& context, const json& gltf, const GltfT
         const std::string pointer = pointer_to(pointer_to("/buffers", i), "byteLength");
         const auto length = buffers[i].at("byteLength").get<std::uint64_t>();
         if (length == 0) context.fail(pointer, "must be 1 or more");
-        if (length > largest_buffer_total - total) {
-            context.fail(pointer,
-                         "the buffers are larger than the limit of " + std::to_string(largest_buffer_total) + " bytes");
-        }
-        total += length;
+        add_within(context, pointer, "buffers", length, limits_.buffer_bytes, total);
     }
     for (std::size_t i = 0; i < buffers.size(); ++i) add_buffer(context, buffers[i], i, text);
 
@@ -61,7 +68,12 @@ GltfResources::GltfResources(GltfContext& context, const json& gltf, const GltfT
         check_view(context, views[i], pointer_to("/bufferViews", i), buffers[buffer].at("byteLength"));
     }
     const json& images = list("images");
-    for (std::size_t i = 0; i < images.size(); ++i) add_image(context, images[i], i);
+    std::uint64_t encoded = 0;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const std::string pointer = pointer_to("/images", i);
+        add_within(context, pointer, "images", add_image(context, images[i], views, pointer), limits_.image_bytes,
+                   encoded);
+    }
 }
 
 void GltfResources::add_buffer(const GltfContext& context, const json& buffer, std::size_t index,
@@ -86,29 +98,33 @@ void GltfResources::add_buffer(const GltfContext& context, const json& buffer, s
         require_length(*size, length == *size);
     } else {
         File& file = add_file(context, uri, pointer_to(pointer, "uri"));
-        file.is_buffer = true;
         try {
-            file.bytes = read_file(file.path, largest_buffer_total);
+            if (file.bytes.empty()) file.bytes = read_file(file.path, limits_.buffer_bytes);
         } catch (const InputError& error) {
             context.fail(pointer_to(pointer, "uri"), error.what());
         }
         require_length(file.bytes.size(), length <= file.bytes.size());
-        file.bytes.resize(length);
+        file.lengths.push_back(length);
     }
 }
 
-void GltfResources::add_image(const GltfContext& context, const json& image, std::size_t index) {
-    const std::string pointer = pointer_to("/images", index);
+std::uint64_t GltfResources::add_image(const GltfContext& context, const json& image, const json& views,
+                                       const std::string& pointer) {
     if (image.contains("uri") == image.contains("bufferView")) {
         context.fail(pointer, "must have either a uri or a bufferView");
     }
-    if (!image.contains("uri")) return;
-    const auto uri = image.at("uri").get<std::string>();
-    if (!is_data_uri(uri)) {
-        add_file(context, uri, pointer_to(pointer, "uri"));
-    } else if (data_uri_size(uri) == std::uint64_t(0)) {
-        context.fail(pointer_to(pointer, "uri"), shown(uri) + "holds no data");
+    if (!image.contains("uri")) {
+        return views[image.at("bufferView").get<std::size_t>()].at("byteLength").get<std::uint64_t>();
     }
+    const auto uri = image.at("uri").get<std::string>();
+    if (is_data_uri(uri)) {
+        const std::optional<std::uint64_t> size = data_uri_size(uri);
+        if (size == std::uint64_t(0)) context.fail(pointer_to(pointer, "uri"), shown(uri) + "holds no data");
+        return size.value_or(0);  // of another kind; tinygltf refuses it
+    }
+    std::error_code missing;  // told where the image is used
+    const std::uintmax_t size = fs::file_size(add_file(context, uri, pointer_to(pointer, "uri")).path, missing);
+    return missing || size > limits_.image_file_bytes ? 0 : size;
 }
 
 GltfResources::File& GltfResources::add_file(const GltfContext& context, const std::string& uri,
@@ -121,10 +137,15 @@ GltfResources::File& GltfResources::add_file(const GltfContext& context, const s
     return file;
 }
 
-std::vector<unsigned char> GltfResources::read(const std::string& name) const {
-    const File& file = files_.at(name);
-    const std::string bytes = file.is_buffer ? file.bytes : read_file(file.path, largest_image_file);
-    return {bytes.begin(), bytes.end()};
+std::vector<unsigned char> GltfResources::read(const std::string& name) {
+    File& file = files_.at(name);
+    if (file.lengths.empty()) {
+        const std::string bytes = read_file(file.path, limits_.image_file_bytes);
+        return {bytes.begin(), bytes.end()};
+    }
+    const auto length = static_cast<std::ptrdiff_t>(file.lengths.front());
+    file.lengths.pop_front();
+    return {file.bytes.begin(), file.bytes.begin() + length};
 }
 
 }  // namespace kd

@@ -131,8 +131,8 @@ std::vector<Light> punctual_lights(GltfContext& context, const tinygltf::Model& 
         }
         if (!light) {
             context.count("ignored", "light", " whose values cannot be used");
-        } else if (lights.size() == largest_light_count) {
-            context.count("ignored", "light", fmt::format(" beyond the first {}", largest_light_count));
+        } else if (lights.size() == context.limits().lights) {
+            context.count("ignored", "light", fmt::format(" beyond the first {}", context.limits().lights));
         } else {
             lights.push_back(*light);
         }

@@ -12,8 +12,6 @@
 
 namespace kd {
 
-inline constexpr std::size_t largest_light_count = 64;
-
 /// The first perspective camera among the nodes, looking at the depth of the centre of `bounds` where that lies before
 /// it. Nothing, with a note where the file has cameras, when none can be used.
 [[nodiscard]] std::optional<Camera> first_camera(GltfContext& context, const tinygltf::Model& model,
@@ -23,7 +21,7 @@ inline constexpr std::size_t largest_light_count = 64;
 /// value E / pi, so colours are the encoded light colour times intensity / pi: lux for directional lights, candela and
 /// inverse-square attenuation (0, 1) for points and spots. Exposure is not part of glTF: where a light would exceed 1
 /// at the centre of `bounds` (at half their diagonal, if nearer), all are dimmed alike so that it is 1, with a note.
-/// Unusable lights and those beyond largest_light_count are ignored and counted.
+/// Unusable lights and those beyond the limit are ignored and counted.
 [[nodiscard]] std::vector<Light> punctual_lights(GltfContext& context, const tinygltf::Model& model,
                                                  const std::vector<PlacedNode>& nodes, const Aabb& bounds);
 

@@ -51,12 +51,13 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+/// At most one cell more than `most`, so that a line of nothing but commas costs no memory.
+std::vector<std::string_view> cells_of(std::string_view line, std::size_t most) {
     std::vector<std::string_view> cells;
     while (true) {
         const std::size_t comma = line.find(',');
         cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
+        if (comma == std::string_view::npos || cells.size() > most) return cells;
         line.remove_prefix(comma + 1);
     }
 }
@@ -112,7 +113,7 @@ float read_cell(std::string_view cell, const Column& column, const Place& place)
 
 std::vector<const Column*> read_header(std::string_view line, const Place& place) {
     std::vector<const Column*> header;
-    for (const std::string_view cell : cells_of(line)) {
+    for (const std::string_view cell : cells_of(line, columns.size())) {
         const Column* column = std::ranges::find(columns, cell, &Column::name);
         if (column == columns.end()) {
             place.fail("unknown column '" + printable(cell, 40) + "'; " + std::string(header_help));
@@ -131,9 +132,10 @@ std::vector<const Column*> read_header(std::string_view line, const Place& place
 }
 
 Ray read_ray(std::string_view line, const std::vector<const Column*>& header, const Place& place) {
-    const std::vector<std::string_view> cells = cells_of(line);
+    const std::vector<std::string_view> cells = cells_of(line, header.size());
     if (cells.size() != header.size()) {
-        place.fail(std::to_string(cells.size()) + " values for " + std::to_string(header.size()) + " columns");
+        place.fail(std::to_string(1 + std::ranges::count(line, ',')) + " values for " + std::to_string(header.size()) +
+                   " columns");
     }
     Ray ray;
     ray.t_min = 0.0f;
@@ -146,11 +148,14 @@ Ray read_ray(std::string_view line, const std::vector<const Column*>& header, co
 }  // namespace
 
 std::vector<Ray> read_rays_csv(const std::filesystem::path& path) {
-    const std::string text = read_file(path);
+    return parse_rays_csv(read_file(path), path.string());
+}
+
+std::vector<Ray> parse_rays_csv(std::string_view text, const std::string& file) {
     std::string_view rest = text;
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of some spreadsheets
 
-    Place place{path.string()};
+    Place place{file};
     std::vector<const Column*> header;
     std::vector<Ray> rays;
     while (!rest.empty()) {
@@ -162,6 +167,9 @@ std::vector<Ray> read_rays_csv(const std::filesystem::path& path) {
         if (header.empty()) {
             header = read_header(line, place);
         } else {
+            if (rays.size() == largest_ray_count) {
+                place.fail("more than " + std::to_string(largest_ray_count) + " rays; split the file");
+            }
             rays.push_back(read_ray(line, header, place));
         }
     }

@@ -1,7 +1,5 @@
 #include "renderer/measure/double_path.h"
 
-#include <tbb/parallel_for.h>
-
 #include "renderer/cpu/threads.h"
 #include "renderer/measure/double_kernel.h"
 
@@ -33,14 +31,12 @@ Image<glm::dvec3> double_frame(const FlatScene& scene, const PinholeCamera& came
     const f64::PinholeCamera wide{glm::dvec3(camera.eye), glm::dvec3(camera.right), glm::dvec3(camera.up),
                                   glm::dvec3(camera.forward)};
     Image<glm::dvec3> image(width, height);
-    on_threads(threads, [&] {
-        tbb::parallel_for(0, height, [&](int y) {
-            if (stop.stop_requested()) return;
-            f64::DoubleKernel tracer(scene);
-            for (int x = 0; x < width; ++x)
-                image.at(x, y) = f64::pixel_colour(tracer, wide, int2(x, y), int2(width, height), bounces,
-                                                   double(least_contribution));
-        });
+    parallel_ranges(std::size_t(height), 1, threads, [&](std::size_t row, std::size_t) {
+        if (stop.stop_requested()) return;
+        f64::DoubleKernel tracer(scene);
+        for (int x = 0, y = int(row); x < width; ++x)
+            image.at(x, y) =
+                f64::pixel_colour(tracer, wide, int2(x, y), int2(width, height), bounces, double(least_contribution));
     });
     return image;
 }

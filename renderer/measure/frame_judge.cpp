@@ -1,7 +1,6 @@
 #include "renderer/measure/frame_judge.h"
 
 #include <atomic>
-#include <tbb/parallel_for.h>
 
 #include "renderer/cpu/threads.h"
 #include "renderer/measure/path_rays.h"
@@ -27,21 +26,20 @@ std::optional<JudgedLayer> judge_frame(const DoubleOracle& oracle, const FrameTo
     const auto judged_size = [&](int size) { return (size + task.step - 1) / task.step; };
     JudgedLayer judged{task.rays, task.step, {judged_size(frame.width), judged_size(frame.height)}};
     std::atomic<int> rows_done = 0;
-    on_threads(task.threads, [&] {
-        tbb::parallel_for(0, judged.hits.height, [&](int row) {
-            if (stop.stop_requested()) return;
-            for (int column = 0; column < judged.hits.width; ++column) {
-                const int x = column * task.step;
-                const int y = row * task.step;
-                const auto ray = ray_of_pixel(oracle.scene(), task.camera, frame, task.rays, x, y);
-                if (!ray) continue;
-                const std::size_t i = frame.colour.index(x, y);
-                judged.hits.at(column, row) = judge_ray(oracle, *ray, oracle.nearest(*ray), layer.hit.pixels[i],
-                                                        layer.counters.pixels[i].exit_reason);
-            }
-            const int done = ++rows_done;
-            if (progress) progress(float(done) / float(judged.hits.height));
-        });
+    parallel_ranges(std::size_t(judged.hits.height), 1, task.threads, [&](std::size_t first, std::size_t) {
+        if (stop.stop_requested()) return;
+        const int row = int(first);
+        for (int column = 0; column < judged.hits.width; ++column) {
+            const int x = column * task.step;
+            const int y = row * task.step;
+            const auto ray = ray_of_pixel(oracle.scene(), task.camera, frame, task.rays, x, y);
+            if (!ray) continue;
+            const std::size_t i = frame.colour.index(x, y);
+            judged.hits.at(column, row) = judge_ray(oracle, *ray, oracle.nearest(*ray), layer.hit.pixels[i],
+                                                    layer.counters.pixels[i].exit_reason);
+        }
+        const int done = ++rows_done;
+        if (progress) progress(float(done) / float(judged.hits.height));
     });
     if (rows_done < judged.hits.height) return std::nullopt;
     judged.tally();

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "renderer/cpu/threads.h"
 #include "renderer/measure/double_kernel.h"
@@ -24,12 +22,10 @@ std::vector<f64::Hit> nearest_hits(const FlatScene& scene, const TriangleBoxes* 
                                    int threads, const std::stop_token& stop) {
     constexpr std::size_t rays_per_task = 16;
     std::vector<f64::Hit> hits(rays.size());
-    on_threads(threads, [&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_per_task), [&](const auto& range) {
-            if (stop.stop_requested()) return;
-            f64::DoubleKernel kernel(scene, boxes);
-            for (std::size_t i = range.begin(); i < range.end(); ++i) hits[i] = nearest_hit(kernel, rays[i]);
-        });
+    parallel_ranges(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
+        if (stop.stop_requested()) return;
+        f64::DoubleKernel kernel(scene, boxes);
+        for (std::size_t i = first; i < last; ++i) hits[i] = nearest_hit(kernel, rays[i]);
     });
     return hits;
 }

@@ -1,8 +1,8 @@
 #include "renderer/measure/ray_count.h"
 
 #include <array>
-#include <tbb/parallel_for.h>
 
+#include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
 
@@ -29,7 +29,8 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     view.tree = &tree;
     view.needs = scene_needs(scene, config);
     Frame walks(width, height);
-    tbb::parallel_for(0, height, [&](int y) {
+    parallel_ranges(std::size_t(height), 1, 0, [&](std::size_t row, std::size_t) {
+        const int y = int(row);
         WalkCounter counter;
         Kernel<WalkCounter, Rules::robust> kernel(view, TraceConfig{}, counter);
         const TileJob job{view, config, camera, {0, y, width, y + 1}, walks};

@@ -1,9 +1,11 @@
 #include "renderer/measure/ray_machine.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/gl/object.h"
 
 namespace kd {
 
@@ -68,6 +70,11 @@ class GlMachine : public RayMachine {
         gl.trace = config;
         tracer_->draw(gl, camera, width, height, {0, 0, width, height});
         return tracer_->read_frame(config);
+    }
+    int live_objects() override {
+        context_->make_current();
+        const auto counts = count_objects(context_->gl());
+        return std::accumulate(counts.begin(), counts.end(), 0);
     }
 
   private:

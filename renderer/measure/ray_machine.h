@@ -29,6 +29,8 @@ class RayMachine {
     /// A whole frame, all passes. Incomplete where stopped.
     virtual Frame frame(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
                         std::stop_token stop) = 0;
+    /// OpenGL objects that its context holds, of all kinds; 0 on the CPU.
+    [[nodiscard]] virtual int live_objects() { return 0; }
 };
 
 /// `threads` 0 = all.

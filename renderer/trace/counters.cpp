@@ -13,7 +13,7 @@ constexpr CounterInfo table[] = {
     {"leaves", "leaves visited", "visits", &RayCounters::leaves},
     {"triangle_tests", "triangle tests", "tests", &RayCounters::triangle_tests},
     {"restarts", "restarts at the root", "restarts", &RayCounters::restarts},
-    {"backtracks", "climbs from a leaf", "climbs", &RayCounters::backtracks},
+    {"backtracks", "backtracks from a leaf", "backtracks", &RayCounters::backtracks},
     {"stack_depth", "deepest stack", "entries", &RayCounters::stack_depth},
 };
 constexpr std::array<std::string_view, 5> reasons{"miss", "hit", "step cap", "stack overflow", "invalid ray"};

@@ -1,6 +1,7 @@
 #include "renderer/trace/frame.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kd {
 
@@ -9,6 +10,11 @@ Frame::Frame(int w, int h) : width(w), height(h), colour(w, h, Vec4(0)) {
         layer.hit = Image<Hit>(w, h, Hit{-1, 0.0f, 0.0f, 0.0f});
         layer.counters = Image<RayCounters>(w, h);
     }
+}
+
+Hit in_scene_units(const Frame& frame, Hit hit) {
+    if (hit.triangle >= 0) hit.t = std::ldexp(hit.t, frame.exponent);
+    return hit;
 }
 
 bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {

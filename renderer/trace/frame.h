@@ -28,6 +28,7 @@ struct RayLayer {
 struct Frame {
     int width = 0;
     int height = 0;
+    int exponent = 0;    // FlatScene::exponent of the scene traced: lengths here times 2^exponent are in scene units
     Image<Vec4> colour;  // display-referred, may exceed 1, alpha 1 once traced
     std::array<RayLayer, pass_count> layers;
 
@@ -37,6 +38,9 @@ struct Frame {
     [[nodiscard]] RayLayer& layer(Pass pass) { return layers[static_cast<std::size_t>(pass)]; }
     [[nodiscard]] const RayLayer& layer(Pass pass) const { return layers[static_cast<std::size_t>(pass)]; }
 };
+
+/// A hit of this frame with its distance in scene units. Where nothing was hit, t stays the limit that it is.
+[[nodiscard]] Hit in_scene_units(const Frame& frame, Hit hit);
 
 /// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
 /// the pixel is traced at all (alpha is not 0), others where a counter or the exit reason is not zero or something was

@@ -38,6 +38,16 @@ KD_FN real inverse_or_zero(real d, real smallest)
     return abs(d) <= smallest ? real(0) : quotient(real(1), d);
 }
 
+// What is smaller is 0, as a shader may take denormals: a component itself, and a shear whose products would be denormal.
+KD_CONST(real) KD_LEAST_COMPONENT = real(1.17549435e-38);
+KD_CONST(real) KD_LEAST_SHEAR = real(1e-30);
+
+KD_FN real shear_of(real component, real shear_z)
+{
+    PRECISE real shear = component * shear_z;
+    return abs(component) < KD_LEAST_COMPONENT || abs(shear) < KD_LEAST_SHEAR ? real(0) : shear;
+}
+
 KD_FN int largest_axis(real3 a)
 {
     if (a.x > a.y) return a.x > a.z ? 0 : 2;
@@ -100,9 +110,7 @@ KD_FN RaySetup setup_ray(IN(Ray) asked)
     int y = x == 2 ? 0 : x + 1;
     s.axes = int3(x, y, z);
     PRECISE real shear_z = AXIS(s.inverse, z);
-    PRECISE real shear_x = AXIS(direction, x) * shear_z;
-    PRECISE real shear_y = AXIS(direction, y) * shear_z;
-    s.shear = real3(shear_x, shear_y, shear_z);
+    s.shear = real3(shear_of(AXIS(direction, x), shear_z), shear_of(AXIS(direction, y), shear_z), shear_z);
     s.permuted_origin = real3(AXIS(origin, x), AXIS(origin, y), AXIS(origin, z));
     return s;
 }

@@ -23,12 +23,19 @@ KD_FN int wrap_texel(int i, int size)
     return m < 0 ? m + size : m;
 }
 
+/// Where in a repeating image a coordinate lies, 0..1; 0 for what is no place (infinities and NaN).
+KD_FN real place_in_image(real coordinate)
+{
+    PRECISE real place = coordinate - floor(coordinate);
+    return place >= real(0) && place <= real(1) ? place : real(0);
+}
+
 /// Bilinear, repeating.
 KD_FN real3 sample_texture(int texture_index, real2 uv)
 {
     int2 size = fetch_texture_size(texture_index);
-    PRECISE real x = (uv.x - floor(uv.x)) * real(size.x) - real(0.5);
-    PRECISE real y = (uv.y - floor(uv.y)) * real(size.y) - real(0.5);
+    PRECISE real x = place_in_image(uv.x) * real(size.x) - real(0.5);
+    PRECISE real y = place_in_image(uv.y) * real(size.y) - real(0.5);
     int left = int(floor(x));
     int top = int(floor(y));
     PRECISE real fx = x - floor(x);

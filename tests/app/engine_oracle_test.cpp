@@ -6,8 +6,6 @@
 namespace kd {
 namespace {
 
-using namespace test;
-
 TEST(EngineOracle, ComparesWithTheOracleWhereTheMapAsks) {
     Session session = small_session("rooms");
     session.trace.rules = Rules::as_published;

@@ -1,13 +1,14 @@
-// An engine without a window, for tests: small pictures, no timing of its own.
+// Running the engine inside of a test.
 #pragma once
 
 #include <chrono>
+#include <gtest/gtest.h>
 #include <string>
 #include <thread>
 
 #include "app/engine.h"
 
-namespace kd::test {
+namespace kd {
 
 inline Session small_session(const std::string& scene = "ball:300") {
     Session session;
@@ -45,4 +46,4 @@ inline bool has_error(const EngineState& state, const std::string& part) {
     return false;
 }
 
-}  // namespace kd::test
+}  // namespace kd

@@ -1,22 +1,14 @@
 // The engine without a window: one way from session to picture, whatever happens on the way.
-#include "tests/app/engine_run.h"
-
 #include <algorithm>
-#include <chrono>
 #include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 #include <limits>
-#include <thread>
 
 #include "renderer/trace/counters.h"
+#include "tests/app/engine_run.h"
 #include "viz/overlay.h"
 
 namespace kd {
 namespace {
-
-using namespace test;
-
-using namespace std::chrono_literals;
 
 TEST(Engine, ShowsTheWholePictureOfTheSessionItStartsWith) {
     Engine engine(small_session(), quiet());
@@ -316,42 +308,6 @@ TEST(Engine, AFileThatIsChosenIsLoadedAndABadOneIsNot) {
     ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return has_error(s, "README.md"); }));
     ASSERT_TRUE(settle(engine));
     EXPECT_EQ(engine.state().session.scene, engine.state().world->loaded->name) << "the file before stays";
-}
-
-TEST(DuelState, SaysWhoIsFasterFromThreeRoundsOn) {
-    DuelState duel;
-    duel.add({.cpu_ms = 10, .gl_ms = 20});
-    duel.add({.cpu_ms = 30, .gl_ms = 20});
-    duel.add({.cpu_ms = 10});  // without a GPU
-    EXPECT_FALSE(duel.decided());
-    duel.add({.cpu_ms = 20, .gl_ms = 20});
-    EXPECT_TRUE(duel.decided());
-    EXPECT_EQ(duel.ratio.samples, 3);
-    EXPECT_DOUBLE_EQ(duel.ratio.median, 1);
-    EXPECT_GE(duel.ratio.p75, 1);
-    EXPECT_LE(duel.ratio.p25, 1);
-}
-
-TEST(LevelPlan, StartsCoarseWhileTheSpeedIsUnknownAndEndsWithEveryPixel) {
-    LevelPlan plan;
-    EXPECT_EQ(plan.first(1600, 900), 16);
-    EXPECT_EQ(plan.first(8, 8), 1) << "a picture of few pixels has no steps";
-    plan.learn(1000, 1600 * 900);  // 1 s per picture
-    int scale = plan.first(1600, 900);
-    EXPECT_LE(plan.predicted_ms(scale, 1600, 900), LevelPlan::first_frame_ms);
-    EXPECT_GT(scale, 1);
-    int steps = 0;
-    while (scale != 1 && ++steps < 10) scale = plan.next(scale, 1600, 900);
-    EXPECT_EQ(scale, 1);
-    plan.reset();
-    EXPECT_EQ(plan.predicted_ms(1, 1600, 900), 0);
-}
-
-TEST(LevelPlan, GoesStraightToEveryPixelWhereThatIsFast) {
-    LevelPlan plan;
-    plan.learn(5, 1600 * 900);
-    plan.learn(5, 1600 * 900);
-    EXPECT_EQ(plan.first(1600, 900), 1);
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ TEST(Render, OptionsChangeWhatIsTraced) {
     EXPECT_GT(rays({}, "reflection"), 0);
 }
 
-TEST(Render, BadOutputsAreToldBeforeTheWork) {
+TEST(C07, RenderTellsBadOutputsBeforeTheWork) {
     const TestFolder folder;
     const auto refused = [&](const Words& outputs, const Words& words) {
         Words arguments{"render", "ball:2000000"};
@@ -197,12 +197,15 @@ TEST(Render, BadOutputsAreToldBeforeTheWork) {
     refused({"-o", folder.file("dir.png")}, {"--output", "is a directory"});
     refused({"-o", folder.file("a.png"), "--json", folder.folder()}, {"--json", "is a directory"});
     refused({"-o", folder.file(std::string(300, 'a') + ".png")}, {"--output", "too long"});
+    if (std::filesystem::exists("/dev/full"))
+        for (const char* option : {"--json", "--csv", "--exr"})
+            refused({"-o", folder.file("a.png"), option, "/dev/full"}, {option, "/dev/full", "No space left"});
     if (std::filesystem::exists("/proc/self"))  // root may write there by its permissions, and still cannot
         refused({"-o", "/proc/a.png"}, {"--output", "/proc/a.png", "another folder"});
     EXPECT_EQ(folder.names(), Words{"dir.png"});
 }
 
-TEST(Render, OutputsMustDiffer) {
+TEST(C10, OutputsMustDiffer) {
     const TestFolder folder;
     const auto refused = [&](const Words& outputs, const Words& words) {
         Words arguments{"render", "ball:2000000", "-o", folder.file("a.png")};
@@ -223,7 +226,7 @@ TEST(Render, OutputsMustDiffer) {
               0);
 }
 
-TEST(Render, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
+TEST(C10, MapsThatCannotBeDrawnAreToldBeforeTheWork) {
     const TestFolder folder;
     const test::Outcome outcome =
         run_kdscope({"render", "ball:2000000", "-o", folder.file("a.png"), "--map", "divergence", "--tile", "500x500"});
@@ -242,7 +245,7 @@ TEST(Render, PicturesLargerThanMemoryAreRefused) {
                        {"--size", "16384x16384", "GB"});
 }
 
-TEST(Render, DoesNotOverwriteItsOwnScene) {
+TEST(C08, RenderDoesNotOverwriteItsOwnScene) {
     const TestFolder folder;
     std::filesystem::copy_file(std::string(KD_SOURCE_DIR) + "/assets/scenes/lantern.gltf", folder.file("s.gltf"));
     const std::string before = read_file(folder.file("s.gltf"));

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files: a full disk and a closed pipe are told, an old file survives a failure, names need not be ASCII.
+# Files (C09, C11): a full disk and a closed pipe are told, an old file survives a failure, names need not be ASCII.
 set -u
 rm -rf work && mkdir work && cd work || exit 1
 fail() {
@@ -25,6 +25,15 @@ if [[ -w /dev/full ]]; then
     [[ $(wc -l <err.txt) -eq 1 ]] || fail "not one line: $(cat err.txt)"
     "$KDSCOPE" trace cornell --rays /dev/null -o - >/dev/full 2>err.txt && fail "a full disk went unnoticed by trace"
 fi
+
+# Told before the work: these pictures would take minutes.
+large=(ball:2000000 --size 4096x4096)
+if [[ -w /dev/full ]]; then
+    timeout 20 "$KDSCOPE" bench "${large[@]}" --json >/dev/full 2>err.txt
+    [[ $? -eq 2 ]] || fail "a full disk was not told before the work: $(cat err.txt)"
+fi
+timeout 20 "$KDSCOPE" render "${large[@]}" -o large.png >&- 2>err.txt
+[[ $? -eq 2 && $(wc -l <err.txt) -eq 1 && ! -e large.png ]] || fail "closed standard output: $(cat err.txt)"
 
 # Standard input closed, nobody at the other end of the pipe.
 "$KDSCOPE" stats cornell <&- >/dev/null || fail "closed standard input"

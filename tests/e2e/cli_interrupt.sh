@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Ctrl-C during long work: exit code 130 soon, one line, no file and no temporary file left.
+# C12, Ctrl-C during long work: exit code 130 soon, one line, no file and no temporary file left.
 set -u
 rm -rf work && mkdir work && cd work || exit 1
 

@@ -8,8 +8,8 @@ start_window ball:300
 width=$(value frame.width) height=$(value frame.height)
 pixels=$((width * height))
 click_on "EXPORT/folder"
-xdotool keydown ctrl keydown a && sleep 0.15 && xdotool keyup a keyup ctrl
-xdotool type --delay 30 '~/figures'
+press ctrl+a
+xdotool type --delay 0 '~/figures'
 press Return
 
 export_as() {
@@ -44,8 +44,19 @@ cmp -s command.txt window.txt || fail "the summaries differ: $(diff command.txt 
 # The caption also stands in the file as text, uncompressed.
 grep -aq 'Description.*(steady clock)' home/figures/kdscope-1.png || fail "the caption names no clock"
 
-rm -r home/figures
+# A folder that is not there is made, with those above it, and that is told; one that cannot be made is an error.
+click_on "EXPORT/folder"
+press ctrl+a
+xdotool type --delay 0 '~/new/deep/folder'
+press Return
+[[ ! -e home/new ]] || fail "a folder was made before anything is written"
 click_on "EXPORT/CSV"
-wait_for '^messages.*=.*there is no folder'
-[[ ! -e home/figures ]] || fail "a folder was made"
+wait_for '^messages.*=made the folder ~/new/deep/folder; wrote ~/new/deep/folder/kdscope-1.csv'
+[[ $(wc -l <home/new/deep/folder/kdscope-1.csv) -eq $((pixels + 1)) ]] || fail "not a row per pixel"
+click_on "EXPORT/folder"
+press ctrl+a
+xdotool type --delay 0 '~/new/deep/folder/kdscope-1.csv/x'
+press Return
+click_on "EXPORT/CSV"
+wait_for '^messages.*=export: cannot make the folder'
 echo "passed"

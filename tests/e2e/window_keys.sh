@@ -28,6 +28,10 @@ wait_for '^settings.view.map.name=nodes$'
 
 press d
 wait_for '^settings.view.map.name=divergence$'
+press d
+wait_for '^settings.view.map.name=nodes$'
+press d
+wait_for '^settings.view.map.name=divergence$'
 press h
 press h
 wait_for '^settings.view.map.name=nodes$'

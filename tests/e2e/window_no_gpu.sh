@@ -12,6 +12,13 @@ press v
 [[ $(value settings.tracer) == cpu ]] || fail "V changed to a GPU that is not there"
 stop_window
 
+# Less than the window itself is drawn with.
+MESA_GL_VERSION_OVERRIDE=2.1 MESA_GLSL_VERSION_OVERRIDE=120 "$KDSCOPE" ball:300 >out.txt 2>err.txt
+code=$?
+[[ $code -eq 3 ]] || fail "exit code $code with OpenGL 2.1: $(cat err.txt)"
+[[ $(wc -l <err.txt) -eq 1 ]] || fail "not one line: $(cat err.txt)"
+grep -q 'kdscope render' err.txt || fail "no way out is named: $(cat err.txt)"
+
 DISPLAY=:987 "$KDSCOPE" ball:300 >out.txt 2>err.txt
 code=$?
 [[ $code -eq 3 ]] || fail "exit code $code without a display"

@@ -58,6 +58,20 @@ TEST_P(DebugGl, ProgramsTexturesAndFramebuffersAreNamed) {
     EXPECT_NO_THROW(check_gl(gl(), "naming"));
 }
 
+TEST_P(DebugGl, ObjectsAreCountedWhileTheyLive) {
+    const std::array<int, 7> before = count_objects(gl());
+    {
+        const GlTexture texture = make_texture(gl(), GL_RGBA32F, 4, 4, "counted");
+        const std::array<const GlTexture*, output_count> outputs{&texture};
+        const GlFramebuffer framebuffer = make_framebuffer(gl(), outputs, 0, "counted");
+        std::array<int, 7> with = before;
+        ++with[1];
+        ++with[2];
+        EXPECT_EQ(count_objects(gl()), with);
+    }
+    EXPECT_EQ(count_objects(gl()), before);
+}
+
 TEST_P(DebugGl, ErrorsNameTheGroupWhereAskedFor) {
     const auto debugging = with_debug("1");
     const std::string message = error_of(debugging->gl());

@@ -46,6 +46,14 @@ TEST(FrameCsv, WritesMinusZeroAsZero) {
     EXPECT_TRUE(holds(lines_of(frame_csv(frame))[1], ",3,1.5,0,0,"));
 }
 
+TEST(FrameCsv, DistancesAreInSceneUnits) {
+    Frame frame = small_frame();
+    frame.exponent = 20;
+    const std::vector<std::string> lines = lines_of(frame_csv(frame));
+    EXPECT_TRUE(lines[2].starts_with("1,0,7,104857.6,0.25,")) << lines[2];
+    EXPECT_TRUE(lines[4].starts_with("0,1,-1,3e+38,")) << lines[4];
+}
+
 TEST(FrameCsv, AddsThePassesThatRan) {
     Frame frame = small_frame();
     frame.layer(Pass::shade_refl).counters.at(2, 1).leaves = 9;

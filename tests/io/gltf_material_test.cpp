@@ -99,7 +99,7 @@ std::string png_of(const std::vector<Rgba8>& pixels, int width) {
 
 const json textured = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}};
 
-TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
+TEST(G21, DefaultsAreThoseOfGltf) {
     const Scene scene = load(one_triangle());
     ASSERT_EQ(scene.materials.size(), 1u);
     EXPECT_EQ(scene.material_names, std::vector<std::string>{"default"});
@@ -118,7 +118,7 @@ TEST(GltfMaterial, ReadsFactorsAndName) {
     expect_near(scene.materials[0].specular, 0.25 * srgb_encoded(glm::dvec3(0.04)));
 }
 
-TEST(GltfMaterial, LimitsFactorsOutOfRange) {
+TEST(G23, LimitsFactorsOutOfRange) {
     const Scene scene =
         load(with_material({{"pbrMetallicRoughness",
                              {{"baseColorFactor", {2, -1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 7}}}}));
@@ -126,7 +126,7 @@ TEST(GltfMaterial, LimitsFactorsOutOfRange) {
     EXPECT_TRUE(has_note(scene, "limited material factors outside of 0..1"));
 }
 
-TEST(GltfMaterial, UnknownMaterialsBecomeTheDefault) {
+TEST(G21, UnknownMaterialsBecomeTheDefault) {
     GltfBuilder builder = one_triangle();
     builder.json["meshes"][0]["primitives"][0]["material"] = 4;
     const Scene scene = load(builder);
@@ -249,7 +249,7 @@ TEST(GltfTexture, ReadsJpeg) {
     EXPECT_TRUE(scene.notes.empty());
 }
 
-TEST(GltfTexture, BrokenImagesBecomeWhite) {
+TEST(G22, BrokenImagesBecomeWhite) {
     const std::string good = png_of({{1, 2, 3, 4}}, 1);
     const std::string huge("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff\x08\x06\0\0\0", 29);
     const struct {
@@ -271,7 +271,7 @@ TEST(GltfTexture, BrokenImagesBecomeWhite) {
     }
 }
 
-TEST(GltfTexture, MissingFilesBecomeWhite) {
+TEST(G22, MissingFilesBecomeWhite) {
     GltfBuilder builder = with_material(textured);
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["images"] = {{{"uri", "none.png"}}};
@@ -280,7 +280,7 @@ TEST(GltfTexture, MissingFilesBecomeWhite) {
     EXPECT_TRUE(has_note(scene, "replaced image 0 (none.png) by white, as it cannot be read"));
 }
 
-TEST(GltfTexture, TexturesWithoutImagesAreIgnored) {
+TEST(G21, TexturesWithoutImagesAreIgnored) {
     GltfBuilder builder = with_material(textured);
     const Scene scene = load(builder);
     EXPECT_EQ(scene.materials.at(0).texture, -1);

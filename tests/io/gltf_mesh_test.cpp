@@ -28,7 +28,7 @@ TEST(GltfMesh, ReadsTrianglesWithoutIndices) {
     EXPECT_TRUE(scene.lights.empty());
 }
 
-TEST(GltfMesh, StripsKeepTheirWinding) {
+TEST(G19, StripsKeepTheirWinding) {
     const Scene scene = load(primitive_of(square, 5));
     EXPECT_EQ(scene.meshes.at(0).indices, (Indices{0, 1, 2, 1, 3, 2}));
     // Seen from +z, both must be counter-clockwise.
@@ -41,7 +41,7 @@ TEST(GltfMesh, StripsKeepTheirWinding) {
     }
 }
 
-TEST(GltfMesh, FansShareTheirFirstVertex) {
+TEST(G19, FansShareTheirFirstVertex) {
     EXPECT_EQ(load(primitive_of(fan, 6)).meshes.at(0).indices, (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
 }
 
@@ -61,7 +61,7 @@ TEST(GltfMesh, TooFewVerticesMakeNoTriangle) {
     }
 }
 
-TEST(GltfMesh, SkipsAndCountsPointsAndLines) {
+TEST(G19, SkipsAndCountsPointsAndLines) {
     GltfBuilder builder = one_triangle();
     for (const int mode : {0, 1, 2, 3}) builder.add_primitive({{"POSITION", 0}})["mode"] = mode;
     const Scene scene = load(builder);
@@ -70,7 +70,7 @@ TEST(GltfMesh, SkipsAndCountsPointsAndLines) {
     EXPECT_TRUE(has_note(scene, "skipped 4 primitives of points or lines"));
 }
 
-TEST(GltfMesh, CountsWhatMakesNoWholeTriangleAndIndicesThatNameNothing) {
+TEST(G12, CountsWhatMakesNoWholeTriangleAndIndicesThatNameNothing) {
     GltfBuilder builder = primitive_of(square, 4);
     builder.json["meshes"][0]["primitives"][0]["indices"] = builder.add_indices({0, 1, 2, 0, 1, 4, 65535, 1, 2, 1, 3});
     const Scene scene = load(builder);
@@ -111,7 +111,7 @@ TEST(GltfMesh, ReadsInterleavedVertices) {
     EXPECT_EQ(scene.meshes.at(0).normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
 }
 
-TEST(GltfMesh, SparseValuesReplaceThoseBelow) {
+TEST(G15, SparseValuesReplaceThoseBelow) {
     GltfBuilder builder = one_triangle();
     const std::vector<std::uint8_t> indices{0, 2};
     const std::vector<Vec3> values{{5, 5, 5}, {6, 6, 6}};
@@ -148,7 +148,7 @@ TEST(GltfMesh, NormalisedIntegersBecomeFractions) {
     EXPECT_EQ(with(builder.add_accessor(signed_bytes, "VEC2", 5120, 3)), (std::vector<Vec2>{{-1, 1}, {-1, 0}, {1, 0}}));
 }
 
-TEST(GltfMesh, QuantizedPositionsAreReadAsTheyAre) {
+TEST(G11, QuantizedPositionsAreReadAsTheyAre) {
     GltfBuilder builder;
     builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
     const std::vector<std::int16_t> shorts{0, 0, 0, 0, -300, 0, 7, 0, 0, 40, 1, 0};  // padded to 8 bytes
@@ -158,7 +158,7 @@ TEST(GltfMesh, QuantizedPositionsAreReadAsTheyAre) {
     EXPECT_EQ(load(builder).meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {-300, 0, 7}, {0, 40, 1}}));
 }
 
-TEST(GltfMesh, AttributesThatDoNotFitAreIgnored) {
+TEST(G11, AttributesThatDoNotFitAreIgnored) {
     GltfBuilder builder = one_triangle();
     auto& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
     attributes["NORMAL"] = builder.add_vec3({{0, 0, 1}});
@@ -169,7 +169,7 @@ TEST(GltfMesh, AttributesThatDoNotFitAreIgnored) {
     EXPECT_TRUE(has_note(scene, "ignored the vertex colours of 1 primitive"));
 }
 
-TEST(GltfMesh, PrimitivesWithoutPositionsAreSkipped) {
+TEST(G11, PrimitivesWithoutPositionsAreSkipped) {
     GltfBuilder builder = one_triangle();
     builder.json["meshes"][0]["primitives"].push_back({{"attributes", {{"TEXCOORD_0", 1}}}});
     const Scene scene = load(builder);
@@ -177,17 +177,17 @@ TEST(GltfMesh, PrimitivesWithoutPositionsAreSkipped) {
     EXPECT_TRUE(has_note(scene, "skipped 1 primitive without positions"));
 }
 
-TEST(GltfMesh, HugeCountsAreRefusedBeforeAnythingIsExpanded) {
+TEST(G10, HugeCountsAreRefusedBeforeAnythingIsExpanded) {
     // An accessor without a bufferView holds zeros, as many as it says.
     GltfBuilder builder = one_triangle();
     builder.json["accessors"][0].erase("bufferView");
     builder.json["accessors"][0]["count"] = 1'000'000'000'000ull;
     EXPECT_TRUE(holds(load_error(builder.text()), "triangles with all instances; the limit is 50000000"));
     builder.json["meshes"][0]["primitives"][0]["indices"] = builder.add_indices({0, 1, 2});
-    EXPECT_TRUE(holds(load_error(builder.text()), "more than 50000000 vertices"));
+    EXPECT_TRUE(holds(load_error(builder.text()), "at least 50000001 vertices; the limit is 50000000"));
 }
 
-TEST(GltfMesh, InstancesCountTowardsTheLimit) {
+TEST(G28, InstancesCountTowardsTheLimit) {
     GltfBuilder builder;
     builder.add_primitive({{"POSITION", builder.add_vec3(std::vector<Vec3>(30'000, Vec3(0)))}});
     for (int i = 0; i < 5'000; ++i) {
@@ -248,7 +248,7 @@ TEST(GltfNode, OnlyTheDefaultSceneIsShown) {
     EXPECT_EQ(load(builder).instances.size(), 2u) << "without scenes, all trees are shown";
 }
 
-TEST(GltfNode, DeepChainsDoNotExhaustTheStack) {
+TEST(G16, DeepChainsDoNotExhaustTheStack) {
     GltfBuilder builder = one_triangle();
     auto& nodes = builder.json["nodes"];
     const std::size_t depth = 100'000;
@@ -260,7 +260,7 @@ TEST(GltfNode, DeepChainsDoNotExhaustTheStack) {
     EXPECT_EQ(scene.instances[0].to_world[3].z, float(depth));
 }
 
-TEST(GltfNode, AZeroRotationIsIgnored) {
+TEST(G18, AZeroRotationIsIgnored) {
     GltfBuilder builder = one_triangle();
     builder.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
     const Scene scene = load(builder);
@@ -268,7 +268,7 @@ TEST(GltfNode, AZeroRotationIsIgnored) {
     EXPECT_TRUE(has_note(scene, "ignored 1 rotation"));
 }
 
-TEST(GltfNode, SkinsAndMorphTargetsAreToldOnce) {
+TEST(G20, SkinsAndMorphTargetsAreToldOnce) {
     GltfBuilder builder = one_triangle();
     builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
     builder.json["skins"] = {{{"joints", {0}}}};

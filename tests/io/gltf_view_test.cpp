@@ -71,7 +71,7 @@ TEST(GltfLight, BrightLightsAreDimmedAlike) {
     EXPECT_TRUE(has_note(scene, "dimmed all lights by a factor of 100,"));
 }
 
-TEST(GltfLight, UnusableLightsAreCounted) {
+TEST(G25, UnusableLightsAreCounted) {
     GltfBuilder builder = lit_by({{{"type", "point"}, {"intensity", -1}},
                                   {{"type", "point"}, {"intensity", 0}},
                                   {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}},
@@ -88,7 +88,7 @@ TEST(GltfLight, UnusableLightsAreCounted) {
     EXPECT_TRUE(has_note(scene, "ignored 8 lights whose values cannot be used"));
 }
 
-TEST(GltfLight, ManyLightsAreCapped) {
+TEST(G25, ManyLightsAreCapped) {
     json lights = json::array();
     for (int i = 0; i < 100; ++i) lights.push_back({{"type", "point"}});
     const Scene scene = load(lit_by(lights));
@@ -128,7 +128,7 @@ TEST(GltfCamera, WithTheSceneBehindItStillLooksItsWay) {
     EXPECT_LT(scene.camera->target.z, -5.0f);
 }
 
-TEST(GltfCamera, TheFirstUsableOneIsTaken) {
+TEST(G24, TheFirstUsableOneIsTaken) {
     const json flat = {{"type", "orthographic"},
                        {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0.1}}}};
     const Scene scene = load(seen_by({flat, perspective(0), perspective(4), perspective(1), perspective(0.5)}));

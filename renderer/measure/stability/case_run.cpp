@@ -6,26 +6,17 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/validate.h"
+#include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 
 namespace kd {
 
-namespace {
-
-/// The same rays for a case whatever else runs.
-std::uint64_t seed_of(std::string_view id, unsigned seed) {
-    std::uint64_t mixed = seed;
-    for (const char c : id) mixed = mixed * 131 + std::uint64_t(c);
-    return mixed;
-}
-
-}  // namespace
-
 CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
-                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop)
-    : info_(info), config_(config), machines_(machines), stop_(std::move(stop)),
-      random_(seed_of(info.id, config.seed)) {}
+                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop,
+                 std::function<void(const std::string&)> tell)
+    : info_(info), config_(config), machines_(machines), stop_(std::move(stop)), tell_(std::move(tell)),
+      random_(case_seed(info.id, config.seed)) {}
 
 std::size_t CaseRun::rays(std::size_t full) const {
     return config_.long_run ? full : std::max(full / 10, std::min<std::size_t>(full, 1000));
@@ -74,6 +65,7 @@ void CaseRun::each(const Subject& subject,
             const auto& wanted = config_.traversals;
             if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
             check_stop();
+            if (tell_) tell_(fmt::format("{}, {}", machine->tracer(), traversal.name));
             TraceConfig trace;
             trace.traversal = traversal.id;
             trace.rules = config_.rules;
@@ -132,7 +124,7 @@ void CaseRun::judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& 
         if (!is_wrong(error.verdict)) continue;
         fail(r,
              fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what, name_of(error.verdict),
-                         error.ulps, kd::exact_text(rays[i]), exact_text(exact[i]), kd::exact_text(found[i])));
+                         error.ulps, exact_text(rays[i]), exact_text(exact[i]), exact_text(found[i])));
     }
 }
 

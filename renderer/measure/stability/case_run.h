@@ -33,7 +33,9 @@ class CaseRun {
     struct Stopped {};
 
     CaseRun(const StabilityCase& info, const StabilityConfig& config,
-            std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop);
+            std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop,
+            std::function<void(const std::string&)> tell = {});
+    virtual ~CaseRun() = default;
 
     /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many.
     [[nodiscard]] std::size_t rays(std::size_t full) const;
@@ -48,7 +50,7 @@ class CaseRun {
 
     /// A grey scene of these triangles and its tree. A tree that validate() objects to is recorded as a failure.
     [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const BuildConfig& build = {});
-    [[nodiscard]] Subject subject(FlatScene scene, const BuildConfig& build = {});
+    [[nodiscard]] virtual Subject subject(FlatScene scene, const BuildConfig& build = {});
 
     /// Traces the rays with every traversal on every machine and adds to their rows.
     void check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation = {});
@@ -79,6 +81,7 @@ class CaseRun {
     const StabilityConfig& config_;
     std::span<const std::unique_ptr<RayMachine>> machines_;
     std::stop_token stop_;
+    std::function<void(const std::string&)> tell_;  // what runs
     Random random_;
     std::vector<std::unique_ptr<StabilityRow>> rows_;
 };

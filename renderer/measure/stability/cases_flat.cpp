@@ -17,16 +17,22 @@ namespace {
 
 std::vector<Triangle> sheet_at(float z, int n) { return grid({0, 0, z}, {1, 0, 0}, {0, 1, 0}, n, n); }
 
-/// Straight down or up at the unit square, with what it meets at z = `height` exactly.
-void check_straight(CaseRun& run, const Subject& subject, std::size_t count, float height, float tolerance) {
+/// Straight down or up at the unit square, begun 0.25 to 1 from z = `height`.
+std::vector<Ray> straight_rays(Random& random, const std::vector<Triangle>& sheet, std::size_t count, float height) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
-        const float side = random_sign(run.random());
-        Vec3 o = random_point(run.random(), 0, 1);
-        if (i % 4 == 0) o = subject.scene.triangles[i % subject.scene.triangles.size()].corner[0];
-        o.z = height + side * 0.25f * float(1 + random_below(run.random(), 4));
+        const float side = random_sign(random);
+        Vec3 o = random_point(random, 0, 1);
+        if (i % 4 == 0) o = sheet[i % sheet.size()].corner[0];
+        o.z = height + side * 0.25f * float(1 + random_below(random, 4));
         rays.push_back(ray_along(o, {0, 0, -side}));
     }
+    return rays;
+}
+
+/// The same, with what they meet at z = `height` exactly.
+void check_straight(CaseRun& run, const Subject& subject, std::size_t count, float height, float tolerance) {
+    const std::vector<Ray> rays = straight_rays(run.random(), subject.scene.triangles, count, height);
     run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const float lost = std::abs(hits[i].t - std::abs(rays[i].origin.z - height));
@@ -81,18 +87,23 @@ void run_in_plane(CaseRun& run) {
     check_picture(run, flat, camera, 31, 31);  // odd: the middle row lies in the plane
 }
 
+/// Slanting and grazing ones in turn, at a terrain of this height.
+std::vector<Ray> slanting_rays(Random& random, std::size_t count, double height) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3 from = random_point(random, -0.5f, 1.5f), to = random_point(random, 0, 1);
+        if (i % 2) from.z = float(random.between(-height, 2 * height));  // grazing
+        to.z = float(random.between(0, height));
+        rays.push_back(ray_to(from, to));
+    }
+    return rays;
+}
+
 void run_terrain(CaseRun& run) {
     const int cells = run.long_run() ? 707 : 400;
     const Subject land = run.subject(terrain(cells, 1e-7f, run.random()));
     check_straight(run, land, run.rays(1'000'000), 0, 4e-7f);
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(2000) * 3 / 10; ++i) {
-        Vec3 from = random_point(run.random(), -0.5f, 1.5f), to = random_point(run.random(), 0, 1);
-        if (i % 2) from.z = float(run.random().between(-1e-7, 2e-7));  // grazing
-        to.z = float(run.random().between(0, 1e-7));
-        rays.push_back(ray_to(from, to));
-    }
-    run.check(land, rays);
+    run.check(land, slanting_rays(run.random(), run.rays(2000) * 3 / 10, 1e-7));
 }
 
 /// Twice the same sheet: everywhere the one that comes first in the scene must be seen.
@@ -155,6 +166,22 @@ StabilityCase case_T29() {
             "exact to the height for the straight ones; brute force for the others",
             "every straight ray hits, t within 4e-7; 0 mismatches",
             run_terrain};
+}
+
+Sweep sweep_T29() {
+    return {
+        "T29",
+        "height of the terrain",
+        "sides",
+        true,
+        {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+        [](double height, std::size_t n, Random& random) {
+            SweepScene made{terrain(60, float(height), random), {}, camera_at({0.5f, -0.9f, 0.6f}, {0.5f, 0.5f, 0})};
+            made.camera.up = Vec3(0, 0, 1);
+            made.rays = straight_rays(random, made.triangles, n / 2, 0);
+            for (const Ray& ray : slanting_rays(random, n / 2, height)) made.rays.push_back(ray);
+            return made;
+        }};
 }
 
 StabilityCase case_T31() {

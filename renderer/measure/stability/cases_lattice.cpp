@@ -47,6 +47,12 @@ std::vector<Ray> rays_along_diagonals(Random& random, std::size_t count) {
     return rays;
 }
 
+/// Looks into the city along x or nearly so, its middle row and column of rays `offset` from planes of the lattice.
+Camera along_x(Vec3 direction, float offset) {
+    const Vec3 eye(-2, 5 + offset, 5 + offset);
+    return camera_at(eye, eye + direction * 8.0f, 70);
+}
+
 bool is_cube(const std::array<int, 3>& c) {
     for (const int i : c)
         if (i < 0 || i >= cells) return false;
@@ -218,6 +224,20 @@ StabilityCase case_T10() {
             }};
 }
 
+Sweep sweep_T10() {
+    return {"T10",
+            "distance from the planes",
+            "cubes",
+            true,
+            {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& random) {
+                SweepScene made{voxel_city(cells), rays_along_axes(random, n, Coordinates::integer, 0.0f), {}};
+                for (Ray& ray : made.rays) ray.origin += (1.0f - glm::abs(ray.direction)) * float(offset);
+                made.camera = along_x(Vec3(1, 0, 0), float(offset));
+                return made;
+            }};
+}
+
 StabilityCase case_T11() {
     return {"T11",
             "Negative zero",
@@ -225,6 +245,19 @@ StabilityCase case_T11() {
             "brute force; the answers to +0",
             "0 mismatches, the same bits for both zeros",
             run_negative_zero};
+}
+
+Sweep sweep_T11() {
+    return {"T11",
+            "other components, negative",
+            "of the largest",
+            true,
+            {1e-45, 1e-40, 1e-35, 1e-30, 1e-25, 1e-20, 1e-15, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2},
+            [](double tilt, std::size_t n, Random& random) {
+                const auto small = float(-tilt);
+                return SweepScene{voxel_city(cells), rays_along_axes(random, n, Coordinates::integer, small),
+                                  along_x(Vec3(1, small, small), 0)};
+            }};
 }
 
 StabilityCase case_T12() {
@@ -236,6 +269,21 @@ StabilityCase case_T12() {
             [](CaseRun& run) {
                 const Subject city = run.subject(voxel_city(cells));
                 run.check(city, rays_along_diagonals(run.random(), run.rays(full)));
+            }};
+}
+
+Sweep sweep_T12() {
+    return {"T12",
+            "distance from the corners",
+            "cubes",
+            true,
+            {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& random) {
+                SweepScene made{voxel_city(cells), rays_along_diagonals(random, n), {}};
+                for (Ray& ray : made.rays) ray.origin += random_direction(random) * float(offset);
+                const Vec3 eye = Vec3(-4.0f) + Vec3(float(offset), 0, -float(offset));
+                made.camera = camera_at(eye, eye + 8.0f, 50);
+                return made;
             }};
 }
 

@@ -35,23 +35,32 @@ std::vector<Triangle> filled_box(const Aabb& box, Random& random) {
     return triangles;
 }
 
+constexpr const char* middle_cutter = "spatial-median";  // cuts the unit cube at x = 0.5 first
+
+std::vector<Triangle> filled_cube(Random& random) { return filled_box({Vec3(0.0f), Vec3(1.0f)}, random); }
+
+/// From x = 0.5: along x, along another axis, within the plane, and anywhere.
+std::vector<Ray> rays_from_split_plane(Random& random, std::size_t count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3 o = random_point(random, 0, 1), d = random_direction(random);
+        o.x = 0.5f;
+        if (i % 4 == 0) d = axis_direction(random, 0);
+        if (i % 4 == 1) d = axis_direction(random, 1 + random_below(random, 2));
+        if (i % 4 == 2) d.x = signed_zero(random);
+        rays.push_back(ray_along(o, d));
+    }
+    return rays;
+}
+
 void run_on_split_plane(CaseRun& run) {
     BuildConfig config;
-    config.builder = "spatial-median";
-    const Subject cube = run.subject(filled_box({Vec3(0.0f), Vec3(1.0f)}, run.random()), config);
+    config.builder = middle_cutter;
+    const Subject cube = run.subject(filled_cube(run.random()), config);
     const TreeNode& root = cube.tree.nodes[0];
     run.record("tree", 1, root.flag == 0 && root.split == 0.5f ? 0 : 1,
                fmt::format("root cut at {} on axis {}", root.split, root.flag));
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(full); ++i) {
-        Vec3 o = random_point(run.random(), 0, 1), d = random_direction(run.random());
-        o.x = 0.5f;
-        if (i % 4 == 0) d = axis_direction(run.random(), 0);
-        if (i % 4 == 1) d = axis_direction(run.random(), 1 + random_below(run.random(), 2));
-        if (i % 4 == 2) d.x = signed_zero(run.random());
-        rays.push_back(ray_along(o, d));
-    }
-    run.check(cube, rays);
+    run.check(cube, rays_from_split_plane(run.random(), run.rays(full)));
 }
 
 /// Boxes whose corners no short binary number says, so that slabs meet at values that round.
@@ -120,14 +129,6 @@ Vec3 point_in_plane(Random& random, const Triangle& t) {
     return t.corner[0] + (t.corner[1] - t.corner[0]) * u + (t.corner[2] - t.corner[0]) * v;
 }
 
-Camera camera_at(Vec3 eye, Vec3 target) {
-    Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.fov_y_degrees = 90;
-    return camera;
-}
-
 void run_eyes_on_surfaces(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
     std::vector<Ray> rays;
@@ -139,13 +140,13 @@ void run_eyes_on_surfaces(CaseRun& run) {
     }
     run.check(ball, rays);
     const Triangle& t = ball.scene.triangles[3000];
-    check_picture(run, ball, camera_at(t.corner[0], Vec3(0.1f, 0.2f, 0)), 48, 48);
-    check_picture(run, ball, camera_at((t.corner[0] + t.corner[1]) * 0.5f, t.corner[2]), 48, 48);
+    check_picture(run, ball, camera_at(t.corner[0], Vec3(0.1f, 0.2f, 0), 90), 48, 48);
+    check_picture(run, ball, camera_at((t.corner[0] + t.corner[1]) * 0.5f, t.corner[2], 90), 48, 48);
 
     const int n = run.long_run() ? 1'000'000 : 100'000;
     const Subject soup = run.subject(random_soup(n, 0.01f, run.random()));
     const Vec3 centre = soup.tree.bounds.centre();
-    check_picture(run, soup, camera_at(centre, centre + Vec3(0, 0, 1)), 32, 32);
+    check_picture(run, soup, camera_at(centre, centre + Vec3(0, 0, 1), 90), 32, 32);
 }
 
 }  // namespace
@@ -158,6 +159,22 @@ StabilityCase case_T32() {
             "brute force",
             "0 mismatches",
             run_on_split_plane};
+}
+
+Sweep sweep_T32() {
+    return {"T32",
+            "distance from the plane",
+            "cubes",
+            true,
+            {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& random) {
+                const auto x = float(0.5 + offset);
+                SweepScene made{filled_cube(random), rays_from_split_plane(random, n),
+                                camera_at(Vec3(x, 0.5f, 0.98f), Vec3(x, 0.5f, 0), 80), true};
+                for (Ray& ray : made.rays) ray.origin.x = x;
+                made.build.builder = middle_cutter;
+                return made;
+            }};
 }
 
 StabilityCase case_T33() {
@@ -191,6 +208,25 @@ StabilityCase case_T57() {
             "brute force",
             "0 mismatches, no colour that is not finite",
             run_eyes_on_surfaces};
+}
+
+Sweep sweep_T57() {
+    return {"T57",
+            "height above the triangle",
+            "radii",
+            true,
+            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double height, std::size_t n, Random& random) {
+                SweepScene made{stress_sphere(80, 40), {}, {}};
+                const auto towards_centre = [&](Vec3 p) { return p * float(1 - height); };
+                for (std::size_t i = 0; i < n; ++i) {
+                    const Vec3 p = point_in(random, random_triangle(random, made.triangles));
+                    made.rays.push_back(ray_along(towards_centre(p), random_direction(random)));
+                }
+                const Triangle& t = made.triangles[3000];
+                made.camera = camera_at(towards_centre((t.corner[0] + t.corner[1]) * 0.5f), t.corner[2], 90);
+                return made;
+            }};
 }
 
 }  // namespace kd

@@ -49,10 +49,18 @@ void check_or_refused(CaseRun& run, const Subject& subject, const std::vector<Ra
     });
 }
 
+std::vector<Triangle> copies_of_one(std::size_t n) {
+    return std::vector<Triangle>(n, Triangle{{Vec3(0, 0, 0), Vec3(1, 0.25f, 0.5f), Vec3(0.5f, 1, 1)}});
+}
+
+/// Rays that brute force answers in a second or so, whatever the scene.
+std::size_t affordable(std::size_t rays, std::size_t triangles) {
+    return std::min(rays, std::max<std::size_t>(20'000'000 / triangles, 20));
+}
+
 void run_copies(CaseRun& run) {
-    const Triangle t{{Vec3(0, 0, 0), Vec3(1, 0.25f, 0.5f), Vec3(0.5f, 1, 1)}};
     for (const std::size_t n : {1000u, 10'000u, 100'000u, 1'000'000u}) {
-        const Subject copies = run.subject(std::vector<Triangle>(n, t));
+        const Subject copies = run.subject(copies_of_one(n));
         run.record("tree", 1, copies.tree.references.size() <= n ? 0 : 1,
                    fmt::format("{} references, {:.2g} s", copies.tree.references.size(), copies.built.seconds));
         check_or_refused(run, copies, rays_across(run.random(), std::max<std::size_t>(5'000'000 / n, 20)));
@@ -120,6 +128,19 @@ StabilityCase case_T04() {
             run_copies};
 }
 
+Sweep sweep_T04() {
+    return {"T04",
+            "copies of the triangle",
+            "",
+            true,
+            {1, 10, 100, 1e3, 1e4, 3e4, 1e5},
+            [](double count, std::size_t n, Random& random) {
+                const auto copies = std::size_t(count);
+                return SweepScene{copies_of_one(copies), rays_across(random, affordable(n, copies)),
+                                  camera_at(Vec3(-0.5f, 0.5f, 2.2f), Vec3(0.5f, 0.5f, 0.5f), 40)};
+            }};
+}
+
 StabilityCase case_T05() {
     return {"T05",
             "Triangles across the whole scene",
@@ -149,6 +170,20 @@ StabilityCase case_T28() {
             "0 mismatches, depth within its limit; a shader that cannot test all triangles at the vertex says so for "
             "each ray",
             run_fan};
+}
+
+Sweep sweep_T28() {
+    return {"T28",
+            "triangles at the vertex",
+            "",
+            true,
+            {3, 10, 32, 100, 316, 1e3, 3162, 1e4},
+            [](double count, std::size_t n, Random& random) {
+                SweepScene made{vertex_fan(int(count)), {}, camera_at(Vec3(1, 1.4f, 2), Vec3(0, 0, 0.4f), 45)};
+                made.camera.up = Vec3(0, 0, 1);
+                made.rays = rays_at_fan(random, made.triangles, affordable(n, std::size_t(count)));
+                return made;
+            }};
 }
 
 }  // namespace kd

@@ -18,9 +18,11 @@ constexpr std::size_t full = 1'000'000;
 constexpr float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<Ray> inside_rays(Random& random, std::size_t count) {
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < count; ++i)
-        rays.push_back(ray_along(random_point(random, -0.3f, 0.3f), random_direction(random)));
+    return rays_from_within(random, Vec3(0.0f), 0.3f, count);
+}
+
+std::vector<Ray> times_as_long(std::vector<Ray> rays, float length) {
+    for (Ray& ray : rays) ray.direction *= length;
     return rays;
 }
 
@@ -28,8 +30,7 @@ void run_lengths(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
     const std::vector<Ray> unit = inside_rays(run.random(), run.rays(full) / 40);
     for (const float length : {1e-20f, 1e-3f, 1e3f, 1e20f}) {
-        std::vector<Ray> rays = unit;
-        for (Ray& ray : rays) ray.direction *= length;
+        const std::vector<Ray> rays = times_as_long(unit, length);
         Expectation e;
         e.every_ray_hits = true;
         e.against_double = HitJudge{8, 8, 1e-5};
@@ -113,9 +114,8 @@ void run_lamp(CaseRun& run) {
     std::vector<Hit> clear;
     while (shadows.size() < run.rays(full) / 20) {
         const Triangle& lamp = room[room.size() - 1 - std::size_t(random_below(run.random(), 2))];
-        const auto u = float(run.random().unit()), v = float(run.random().unit()) * (1 - u);
         Light light = subject.scene.lights[0];
-        light.position = lamp.corner[0] * (1 - u - v) + lamp.corner[1] * u + lamp.corner[2] * v;
+        light.position = point_in(run.random(), lamp);
         Vec3 eye = random_point(run.random(), -2, 2), at = random_point(run.random(), -3, 3);
         eye.z = 1;
         at.z = 0;
@@ -140,6 +140,18 @@ StabilityCase case_T35() {
             "brute force, double precision; every ray hits",
             "0 misses, t within 8 ulp",
             run_lengths};
+}
+
+Sweep sweep_T35() {
+    return {"T35",
+            "length of the directions",
+            "units",
+            true,
+            {1e-28, 1e-20, 1e-15, 1e-10, 1e-5, 1, 1e5, 1e10, 1e15, 1e20},
+            [](double length, std::size_t n, Random& random) {
+                return SweepScene{stress_sphere(80, 40), times_as_long(inside_rays(random, n), float(length)),
+                                  camera_at(Vec3(0.2f, 0.1f, 0.3f), Vec3(-1, 0.3f, -0.4f), 75), true};
+            }};
 }
 
 StabilityCase case_T36() {

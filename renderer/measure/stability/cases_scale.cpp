@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
@@ -31,19 +32,19 @@ struct Ball {
     std::vector<Triangle> triangles = stress_sphere(80, 40);
     std::vector<Ray> rays;
 
-    Ball(Random& random, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i)
-            rays.push_back(ray_along(random_point(random, -0.3f, 0.3f), random_direction(random)));
-    }
+    Ball(Random& random, std::size_t count) : rays(rays_from_within(random, Vec3(0.0f), 0.3f, count)) {}
 };
 
-/// The rays from inside a ball `factor` as large, as its subject wants them.
+/// The rays from inside a ball `factor` as large.
+std::vector<Ray> scaled_rays(std::vector<Ray> rays, float factor) {
+    for (Ray& ray : rays) ray.origin *= factor;
+    return rays;
+}
+
+/// The same as its subject wants them.
 std::vector<Ray> scaled_rays(const std::vector<Ray>& rays, float factor, const FlatScene& scene) {
-    std::vector<Ray> scaled = rays;
-    for (Ray& ray : scaled) {
-        ray.origin *= factor;
-        ray = to_internal(scene, ray);
-    }
+    std::vector<Ray> scaled = scaled_rays(rays, factor);
+    for (Ray& ray : scaled) ray = to_internal(scene, ray);
     return scaled;
 }
 
@@ -153,10 +154,11 @@ void run_tiny(CaseRun& run) {
     }
 }
 
-void run_speck_in_room(CaseRun& run) {
-    constexpr float radius = 1e-3f, half = 5e3f;
-    std::vector<Triangle> room = stress_sphere(100, 51, radius);
-    const std::size_t speck = room.size();
+constexpr float speck_radius = 1e-3f;
+
+/// A closed room of 12 triangles, which come last, around a sphere of 2 x columns x rows of them.
+std::vector<Triangle> speck_in_room(int columns, int rows, float half) {
+    std::vector<Triangle> room = stress_sphere(columns, rows + 1, speck_radius);
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-half, half}) {
             Vec3 corner(-half), u(0.0f), v(0.0f);
@@ -165,13 +167,22 @@ void run_speck_in_room(CaseRun& run) {
             v[(axis + 2) % 3] = 2 * half;
             for (const Triangle& t : grid(corner, u, v, 1, 1)) room.push_back(t);
         }
-    const Subject subject = run.subject(room);
-    const std::vector<Triangle> ball(room.begin(), room.begin() + std::ptrdiff_t(speck));
+    return room;
+}
+
+/// To within the speck, from within `reach` of it along each axis.
+Ray ray_at_speck(Random& random, float reach) {
+    const Vec3 eye = random_point(random, -reach, reach);
+    return ray_to(eye, random_point(random, -speck_radius, speck_radius));
+}
+
+void run_speck_in_room(CaseRun& run) {
+    constexpr float half = 5e3f;
+    const Subject subject = run.subject(speck_in_room(100, 50, half));
     std::vector<Ray> near, across;
     for (std::size_t i = 0; i < (run.long_run() ? 2000u : 100u); ++i) {
-        const Vec3 eye = random_point(run.random(), -4 * radius, 4 * radius);
-        near.push_back(ray_to(eye, random_point(run.random(), -radius, radius)));
-        across.push_back(ray_to(random_point(run.random(), -half, half), random_point(run.random(), -radius, radius)));
+        near.push_back(ray_at_speck(run.random(), 4 * speck_radius));
+        across.push_back(ray_at_speck(run.random(), half));
     }
     Expectation e;
     e.every_ray_hits = true;
@@ -194,11 +205,21 @@ StabilityCase case_T18() {
             "0 misses (Embree accepts 2 of 100,000)",
             [](CaseRun& run) {
                 const Subject ball = run.subject(stress_sphere(400, 200, 2.0f, far_away));
-                std::vector<Ray> rays;
-                for (std::size_t i = 0; i < run.rays(full); ++i)
-                    rays.push_back(
-                        ray_along(far_away + random_point(run.random(), -1, 1), random_direction(run.random())));
-                check_all_hit(run, ball, std::move(rays), 300);
+                check_all_hit(run, ball, rays_from_within(run.random(), far_away, 1, run.rays(full)), 300);
+            }};
+}
+
+Sweep sweep_T18() {
+    return {"T18",
+            "distance from the origin",
+            "radii",
+            true,
+            {1, 10, 100, 1e3, 1e4, 1e5, 3e5, 1e6},
+            [](double distance, std::size_t n, Random& random) {
+                constexpr float radius = 2;
+                const Vec3 centre = glm::normalize(far_away) * float(distance * radius);
+                return SweepScene{stress_sphere(80, 40, radius, centre), rays_from_within(random, centre, 1, n),
+                                  camera_at(centre + Vec3(0.5f, 0.5f, 1), centre - Vec3(2, 1, 1), 75), true};
             }};
 }
 
@@ -243,6 +264,20 @@ StabilityCase case_T21() {
             run_powers_of_ten};
 }
 
+Sweep sweep_T21() {
+    return {"T21",
+            "size of everything",
+            "of T14's",
+            true,
+            {1e-30, 1e-24, 1e-18, 1e-12, 1e-6, 1, 1e6, 1e12, 1e18},
+            [](double size, std::size_t n, Random& random) {
+                const Ball ball(random, n);
+                const auto factor = float(size);
+                return SweepScene{scaled(ball.triangles, factor), scaled_rays(ball.rays, factor),
+                                  camera_at(Vec3(0.2f, 0.1f, 0.3f) * factor, Vec3(-1, 0.3f, -0.4f) * factor, 75), true};
+            }};
+}
+
 StabilityCase case_T22() {
     return {"T22",
             "Largest coordinates",
@@ -273,6 +308,22 @@ StabilityCase case_T24() {
             "a ray's slack is a fraction of the whole room and larger than the sphere, so that a walk visits every "
             "cell around "
             "it; on OpenGL some need more than the step budget and are flagged, never silently wrong"};
+}
+
+Sweep sweep_T24() {
+    return {"T24",
+            "size of the room",
+            "spheres",
+            true,
+            {10, 100, 1e3, 1e4, 1e5, 1e6, 1e7},
+            [](double ratio, std::size_t n, Random& random) {
+                const auto half = float(ratio) * speck_radius;
+                SweepScene made{speck_in_room(50, 25, half), {}, {}, true};
+                for (std::size_t i = 0; i < std::min<std::size_t>(n, 1000); ++i)
+                    made.rays.push_back(ray_at_speck(random, i % 2 ? half : 4 * speck_radius));
+                made.camera = camera_at(Vec3(1, 0.7f, 1.4f) * 2.0f * speck_radius, Vec3(0.0f));
+                return made;
+            }};
 }
 
 }  // namespace kd

@@ -6,6 +6,7 @@
 
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
+#include "renderer/measure/stability/distances.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
 
@@ -24,18 +25,13 @@ std::vector<Triangle> slivers(Random& random, int count, float width) {
     return made;
 }
 
-double distance_to_edge(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
-    const glm::dvec3 along = b - a;
-    const double length = glm::dot(along, along);
-    const double s = length > 0 ? glm::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-    return glm::length(p - (a + s * along));
-}
-
-double distance_to_edges(glm::dvec3 p, const Triangle& t) {
-    double nearest = 1e300;
-    for (std::size_t k = 0; k < 3; ++k)
-        nearest = std::min(nearest, distance_to_edge(p, glm::dvec3(t.corner[k]), glm::dvec3(t.corner[(k + 1) % 3])));
-    return nearest;
+std::vector<Ray> rays_at_slivers(Random& random, const std::vector<Triangle>& triangles, std::size_t count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 target = point_in(random, random_triangle(random, triangles));
+        rays.push_back(ray_to(random_point(random, -1, 2), target));
+    }
+    return rays;
 }
 
 glm::dvec3 point_at(const Ray& ray, double t) { return glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction); }
@@ -67,7 +63,8 @@ void judge_sliver(const FlatScene& scene, const Ray& ray, const Hit& hit, const 
     if (exact.triangle < 0) return;
     const bool missed = hit.triangle < 0 || (hit.triangle != exact.triangle && double(hit.t) > exact.t * (1 + 1e-5));
     const double reach = 2 * diagonal;
-    const double inside = distance_to_edges(point_at(ray, exact.t), triangle(exact.triangle));
+    const Triangle& hit_exactly = triangle(exact.triangle);
+    const double inside = distance_to_edges(point_at(ray, exact.t), corners_of(hit_exactly));
     if (missed && inside > double(KD_SLACK) * reach)
         CaseRun::fail(row, fmt::format("missed {:.3g} inside the edge: ray {}: found {}", inside, exact_text(ray),
                                        exact_text(hit)));
@@ -77,13 +74,7 @@ void run_slivers(CaseRun& run) {
     const int count = run.long_run() ? 10'000 : 1000;
     for (const float width : {1e-3f, 1e-5f, 1e-7f, 1e-9f}) {
         const Subject subject = run.subject(slivers(run.random(), count, width));
-        std::vector<Ray> rays;
-        for (std::size_t i = 0; i < run.rays(20'000); ++i) {
-            const Triangle& t = random_triangle(run.random(), subject.scene.triangles);
-            const auto u = float(run.random().unit()), v = float(run.random().unit()) * (1 - u);
-            rays.push_back(ray_to(random_point(run.random(), -1, 2),
-                                  t.corner[0] * (1 - u - v) + t.corner[1] * u + t.corner[2] * v));
-        }
+        const auto rays = rays_at_slivers(run.random(), subject.scene.triangles, run.rays(20'000));
         Expectation e;
         e.what = fmt::format("width {}: ", width);
         run.check(subject, rays, e);
@@ -101,17 +92,37 @@ void run_slivers(CaseRun& run) {
 /// about gamma(17).
 double grazing_bound(double sine) { return 4 * double(KD_SLACK) / sine; }
 
+/// Two directions within the plane that is grazed, and its normal.
+struct PlaneAxes {
+    Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+};
+
+/// No component of it is 0, so that every coordinate rounds.
+const PlaneAxes tilted{Vec3(2, 3, 6) / 7.0f, Vec3(3, -6, 2) / 7.0f, Vec3(6, 2, -3) / 7.0f};
+
+std::vector<Triangle> grazed_plane(const PlaneAxes& axes = {}) {
+    return grid(-2.0f * axes.x - 2.0f * axes.y, 4.0f * axes.x, 4.0f * axes.y, 8, 8);
+}
+
+/// Unit rays that meet the plane at `angle`, a unit from where they begin.
+std::vector<Ray> grazing_rays(Random& random, std::size_t count, float angle, const PlaneAxes& axes = {}) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double turn = random.between(0, 2 * M_PI);
+        const auto x = float(random.between(-0.5, 0.5)), y = float(random.between(-0.5, 0.5));
+        const Vec3 up = axes.z * angle;
+        const Vec3 along = axes.x * float(std::cos(turn)) + axes.y * float(std::sin(turn));
+        rays.push_back(ray_along(axes.x * x + axes.y * y + up, along - up));
+    }
+    return rays;
+}
+
 void run_grazing(CaseRun& run) {
-    const Subject plane = run.subject(grid(Vec3(-2, -2, 0), Vec3(4, 0, 0), Vec3(0, 4, 0), 8, 8));
+    const Subject plane = run.subject(grazed_plane());
     std::string told = "worst error over bound by angle:";
     for (int power = 1; power <= 8; ++power) {
         const auto angle = float(std::pow(10.0, -power));
-        std::vector<Ray> rays;
-        for (std::size_t i = 0; i < run.rays(20'000); ++i) {
-            const double turn = run.random().between(0, 2 * M_PI);
-            const Vec3 from(float(run.random().between(-0.5, 0.5)), float(run.random().between(-0.5, 0.5)), angle);
-            rays.push_back(ray_along(from, Vec3(float(std::cos(turn)), float(std::sin(turn)), -angle)));
-        }
+        const std::vector<Ray> rays = grazing_rays(run.random(), run.rays(20'000), angle);
         Expectation e;
         e.what = fmt::format("angle 1e-{}: ", power);
         run.check(plane, rays, e);
@@ -151,20 +162,31 @@ std::vector<PlanePair> plane_pairs() {
     return pairs;
 }
 
-void run_plane_pair(CaseRun& run, const PlanePair& pair) {
+/// The farther plane first, half of the triangles each.
+std::vector<Triangle> planes_of(const PlanePair& pair) {
     const float half = pair.z;
     std::vector<Triangle> both = grid({-half, -half, pair.above}, {2 * half, 0, 0}, {0, 2 * half, 0}, 4, 4);
-    const int upper = int(both.size());
     for (const Triangle& t : grid({-half, -half, pair.z}, {2 * half, 0, 0}, {0, 2 * half, 0}, 4, 4)) both.push_back(t);
-    const Subject subject = run.subject(both);
+    return both;
+}
+
+/// From z = 0 to points on the nearer plane.
+std::vector<Ray> rays_at_planes(Random& random, const PlanePair& pair, std::size_t count) {
     std::vector<Ray> rays;
-    for (int i = 0; i < 500; ++i) {
-        Vec3 from = random_point(run.random(), -0.5f * half, 0.5f * half),
-             to = random_point(run.random(), -0.9f, 0.9f) * half;
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3 from = random_point(random, -0.5f * pair.z, 0.5f * pair.z),
+             to = random_point(random, -0.9f, 0.9f) * pair.z;
         from.z = 0;
         to.z = pair.z;
         rays.push_back(ray_to(from, to));
     }
+    return rays;
+}
+
+void run_plane_pair(CaseRun& run, const PlanePair& pair) {
+    const Subject subject = run.subject(planes_of(pair));
+    const int upper = int(subject.scene.triangles.size()) / 2;
+    const std::vector<Ray> rays = rays_at_planes(run.random(), pair, 500);
     Expectation e;
     e.every_ray_hits = true;
     e.what = fmt::format("planes at {} and {}: ", pair.z, pair.above);
@@ -201,6 +223,19 @@ StabilityCase case_T25() {
         run_slivers};
 }
 
+Sweep sweep_T25() {
+    return {"T25",
+            "width of the triangles",
+            "lengths",
+            true,
+            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double width, std::size_t n, Random& random) {
+                SweepScene made{slivers(random, 1000, float(width)), {}, camera_at({0.5f, 0.5f, 2.6f}, Vec3(0.5f), 50)};
+                made.rays = rays_at_slivers(random, made.triangles, n);
+                return made;
+            }};
+}
+
 StabilityCase case_T27() {
     return {"T27",
             "Grazing a plane",
@@ -208,6 +243,22 @@ StabilityCase case_T27() {
             "brute force; double precision",
             "t within 4e-6 / sin(angle), a rounding of the point by gamma(17) of the plane's size",
             run_grazing};
+}
+
+Sweep sweep_T27() {
+    return {"T27",
+            "angle between ray and plane",
+            "radians",
+            true,
+            {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double angle, std::size_t n, Random& random) {
+                const auto height = float(angle);
+                // A plane at z = 0 is met without any rounding; one that is tilted is not.
+                SweepScene made{grazed_plane(tilted), grazing_rays(random, n, height, tilted), {}};
+                made.camera = camera_at(tilted.z * height - tilted.x, Vec3(0.0f), 40);
+                made.camera.up = tilted.z;
+                return made;
+            }};
 }
 
 StabilityCase case_T30() {
@@ -220,6 +271,19 @@ StabilityCase case_T30() {
             "the nearer plane wins, every frame is the same",
             [](CaseRun& run) {
                 for (const PlanePair& pair : plane_pairs()) run_plane_pair(run, pair);
+            }};
+}
+
+Sweep sweep_T30() {
+    return {"T30",
+            "gap between the planes",
+            "ulp",
+            true,
+            {1, 2, 4, 8, 32, 128, 1024, 8192, 65536},
+            [](double gap, std::size_t n, Random& random) {
+                const PlanePair pair{1, float(1 + gap * 0x1p-23)};
+                return SweepScene{planes_of(pair), rays_at_planes(random, pair, n),
+                                  camera_at(Vec3(0.0f), {0, 0, 1}, 60), true};
             }};
 }
 

@@ -25,26 +25,34 @@ constexpr SpawnRow spawn_rows[] = {{1e-6f, 0, 10}, {1e-3f, 0, 10}, {1, 0, 10},  
 
 float ulp(float x) { return std::nextafter(std::abs(x), KD_T_LIMIT) - std::abs(x); }
 
-void run_spawn_row(CaseRun& run, const SpawnRow& r, std::int64_t& self_hits, std::int64_t& spawned) {
-    Random& random = run.random();
+std::vector<Triangle> spawning_soup(Random& random, const SpawnRow& r) {
     std::vector<Triangle> triangles = random_soup(1000, 0.5f, random);
     for (Triangle& t : triangles)
         for (Vec3& p : t.corner) p = p * r.size + Vec3(r.away);
+    return triangles;
+}
+
+/// To a point of the triangle, from as far away as the row says.
+Ray ray_from_afar(Random& random, const Triangle& t, const SpawnRow& r) {
+    const Vec3 target = point_in(random, t);
+    return ray_to(target + glm::normalize(random_direction(random)) * r.distance * r.size, target);
+}
+
+void run_spawn_row(CaseRun& run, const SpawnRow& r, std::int64_t& self_hits, std::int64_t& spawned) {
+    Random& random = run.random();
+    const std::vector<Triangle> triangles = spawning_soup(random, r);
     const Subject subject = run.subject(triangles);
     std::vector<Ray> rays, unguarded;
     std::int64_t far_off = 0;
     const std::size_t wanted = run.rays(200'000) / 11;
     for (std::size_t tries = 0; rays.size() < wanted && tries < 20 * wanted; ++tries) {
         const Triangle& t = random_triangle(random, triangles);
-        const auto u = float(random.unit()), v = float(random.unit()) * (1 - u);
-        const Vec3 target = t.corner[0] * (1 - u - v) + t.corner[1] * u + t.corner[2] * v;
-        const Vec3 away = glm::normalize(random_direction(random)) * r.distance * r.size;
         FlatScene one;
         one.triangles = {subject.scene.triangles[std::size_t(&t - triangles.data())]};
         one.attributes = {subject.scene.attributes[0]};
         one.materials = subject.scene.materials;
         for (const Vec3& p : one.triangles[0].corner) one.bounds.include(p);
-        const Ray seen = to_internal(subject.scene, ray_to(target + away, target));
+        const Ray seen = to_internal(subject.scene, ray_from_afar(random, t, r));
         Hit hit = plain_brute_force(one, seen);
         if (hit.triangle < 0) continue;
         hit.triangle = int(&t - triangles.data());
@@ -98,6 +106,24 @@ StabilityCase case_T38() {
             "brute force; no ray hits the triangle it leaves",
             "0 self-hits; origins within 64 ulp of the largest coordinate; without the exclusion at most 1 in 10,000",
             run_spawn};
+}
+
+Sweep sweep_T38() {
+    return {"T38",
+            "distance of the eye",
+            "sizes",
+            true,
+            {1, 10, 100, 1e3, 1e4, 1e5, 1e6},
+            [](double distance, std::size_t n, Random& random) {
+                const SpawnRow row{1, 0, float(distance)};
+                SweepScene made{spawning_soup(random, row), {}, {}};
+                for (std::size_t i = 0; i < n; ++i)
+                    made.rays.push_back(ray_from_afar(random, random_triangle(random, made.triangles), row));
+                const Vec3 middle(0.5f), back(0.6f, 0.4f, 0.7f);
+                const double angle = 2 * std::atan(1.2 / distance) * 180 / M_PI;  // the picture stays filled
+                made.camera = camera_at(middle + back * float(distance + 1), middle, float(angle));
+                return made;
+            }};
 }
 
 }  // namespace kd

@@ -10,13 +10,25 @@ namespace {
 
 constexpr std::size_t full = 1'000'000;
 
-/// 6240 triangles of radius 1 (columns x 2 x (rows - 1)).
-std::vector<Triangle> sphere() { return stress_sphere(80, 40); }
+constexpr float inside = 0.3f;  // origins keep to it, along each axis
+
+/// 6240 triangles of radius 1 for 40 rows: 4 x rows x (rows - 1).
+std::vector<Triangle> sphere(int rows = 40) { return stress_sphere(2 * rows, rows); }
 
 Expectation must_hit() {
     Expectation e;
     e.every_ray_hits = true;
     return e;
+}
+
+/// The rays with their aims moved by up to `offset` along each axis.
+std::vector<Ray> off_target(Random& random, std::vector<Ray> rays, double offset) {
+    for (Ray& ray : rays) ray.direction += random_direction(random) * float(offset);
+    return rays;
+}
+
+SweepScene seen_from_inside(std::vector<Triangle> triangles) {
+    return {std::move(triangles), {}, camera_at(Vec3(0.2f, 0.1f, 0.3f), Vec3(-1, 0.3f, -0.4f), 75), true};
 }
 
 }  // namespace
@@ -29,15 +41,22 @@ StabilityCase case_T14() {
             "0 misses, t within 64 ulp",
             [](CaseRun& run) {
                 const Subject ball = run.subject(sphere());
-                std::vector<Ray> rays;
-                for (std::size_t i = 0; i < run.rays(full); ++i)
-                    rays.push_back(ray_along(random_point(run.random(), -0.3f, 0.3f), random_direction(run.random())));
+                std::vector<Ray> rays = rays_from_within(run.random(), Vec3(0.0f), inside, run.rays(full));
                 run.check(ball, rays, must_hit());
                 rays.resize(rays.size() / 20);
                 Expectation e;
                 e.against_double = HitJudge{};
                 run.check(ball, rays, e);
             }};
+}
+
+Sweep sweep_T14() {
+    return {
+        "T14", "rows of the sphere", "", true, {3, 5, 8, 12, 20, 32, 50}, [](double rows, std::size_t n, Random& r) {
+            SweepScene made = seen_from_inside(sphere(int(rows)));
+            made.rays = rays_from_within(r, Vec3(0.0f), inside, n);
+            return made;
+        }};
 }
 
 StabilityCase case_T15() {
@@ -48,8 +67,22 @@ StabilityCase case_T15() {
             "0 misses",
             [](CaseRun& run) {
                 const Subject ball = run.subject(sphere());
-                const auto origin = [&] { return random_point(run.random(), -0.3f, 0.3f); };
+                const auto origin = [&] { return random_point(run.random(), -inside, inside); };
                 run.check(ball, rays_to_edges(run.random(), ball.scene.triangles, run.rays(full), origin), must_hit());
+            }};
+}
+
+Sweep sweep_T15() {
+    return {"T15",
+            "distance from the edge",
+            "radii",
+            true,
+            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& r) {
+                SweepScene made = seen_from_inside(sphere());
+                const auto origin = [&] { return random_point(r, -inside, inside); };
+                made.rays = off_target(r, rays_to_edges(r, made.triangles, n, origin), offset);
+                return made;
             }};
 }
 
@@ -61,9 +94,23 @@ StabilityCase case_T16() {
             "0 misses",
             [](CaseRun& run) {
                 const Subject ball = run.subject(sphere());
-                const auto origin = [&] { return random_point(run.random(), -0.3f, 0.3f); };
+                const auto origin = [&] { return random_point(run.random(), -inside, inside); };
                 run.check(ball, rays_to_vertices(run.random(), ball.scene.triangles, run.rays(full), origin),
                           must_hit());
+            }};
+}
+
+Sweep sweep_T16() {
+    return {"T16",
+            "distance from the vertex",
+            "radii",
+            true,
+            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& r) {
+                SweepScene made = seen_from_inside(sphere());
+                const auto origin = [&] { return random_point(r, -inside, inside); };
+                made.rays = off_target(r, rays_to_vertices(r, made.triangles, n, origin), offset);
+                return made;
             }};
 }
 

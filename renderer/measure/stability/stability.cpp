@@ -8,6 +8,7 @@
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/stability/case_run.h"
 #include "renderer/measure/stability/cases.h"
+#include "renderer/measure/timing.h"
 
 namespace kd {
 
@@ -63,10 +64,17 @@ StabilityReport run_stability(const StabilityConfig& config,
     const auto machines = open_machines(config, report.notes);
     try {
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            if (progress) progress(float(i) / float(cases.size()), fmt::format("{} {}", cases[i]->id, cases[i]->title));
-            CaseRun run(*cases[i], config, machines, stop);
-            cases[i]->run(run);
-            for (StabilityRow& row : run.finish()) report.rows.push_back(std::move(row));
+            const auto tell = [&](const std::string& doing) {
+                const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
+                if (progress) progress(float(i) / float(cases.size()), what);
+            };
+            tell("");
+            CaseRun run(*cases[i], config, machines, stop, [&](const std::string& doing) { tell(": " + doing); });
+            report.preparing_seconds += 1e-3 * wall_ms([&] { cases[i]->run(run); });
+            for (StabilityRow& row : run.finish()) {
+                report.preparing_seconds -= row.seconds;
+                report.rows.push_back(std::move(row));
+            }
             ++report.cases_run;
         }
     } catch (const CaseRun::Stopped&) {

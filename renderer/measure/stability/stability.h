@@ -49,7 +49,7 @@ struct StabilityRow {
     std::int64_t n = 0, mismatches = 0;
     double upper95 = 0;    // 95 % upper bound of the share of mismatches; 3/n where there is none
     double worst_ulp = 0;  // of t against double precision, where the case asks for it
-    double seconds = 0;
+    double seconds = 0;    // of tracing and comparing, without the oracle
     Verdict verdict = Verdict::pass;
     std::string reason;  // the first failure, or what was measured; a failing ray in exact hexadecimal floats
 };
@@ -58,7 +58,8 @@ struct StabilityReport {
     std::vector<StabilityRow> rows;
     std::vector<std::string> notes;  // contexts that are not there
     int cases_run = 0;
-    bool complete = true;  // false where stopped before the end
+    double preparing_seconds = 0;  // beside those of the rows: trees, and the oracles that rows are held against
+    bool complete = true;          // false where stopped before the end
     /// True where something ran, all of it to the end, and no row failed.
     [[nodiscard]] bool passed() const;
 };

@@ -1,0 +1,42 @@
+#include "app/gl_frame.h"
+
+#include <algorithm>
+
+namespace kd {
+
+namespace {
+
+void add(const GlFrameReport& report, FrameTime& time) {
+    time.total_ms += report.total_ms;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+        std::int64_t& shaded = time.shaded_pixels[pass];
+        if (report.shaded_pixels[pass] >= 0) shaded = std::max(shaded, std::int64_t(0)) + report.shaded_pixels[pass];
+    }
+}
+
+}  // namespace
+
+FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
+                              int height, const std::stop_token& stop, const std::function<void(float)>& progress) {
+    if (!(config == planned_for_)) plan_.reset();
+    planned_for_ = config;
+    FrameTime time;
+    const std::int64_t pixels = std::int64_t(width) * height;
+    for (std::int64_t done = 0; done < pixels;) {
+        if (stop.stop_requested()) {
+            time.complete = false;
+            break;
+        }
+        const Tile tile = plan_.next(done, width, height);
+        const GlFrameReport report = tracer.draw(config, camera, width, height, tile);
+        plan_.learn(report.total_ms, tile);
+        clock_ = report.clock;
+        add(report, time);
+        done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
+        if (progress) progress(float(double(done) / double(pixels)));
+    }
+    return time;
+}
+
+}  // namespace kd

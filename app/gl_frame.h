@@ -1,0 +1,33 @@
+// Whole frames by OpenGL, in tiles.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+
+#include "app/frame_time.h"
+#include "renderer/gl/dispatch_plan.h"
+#include "renderer/gl/gl_tracer.h"
+
+namespace kd {
+
+/// Draws frames in tiles of about `tile_ms` milliseconds, between which work can be stopped.
+class GlFrameDrawer {
+  public:
+    explicit GlFrameDrawer(double tile_ms) : plan_(tile_ms) {}
+
+    /// The frame stays in the tracer's targets; incomplete where stopped.
+    FrameTime draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
+                   const std::stop_token& stop, const std::function<void(float)>& progress);
+    /// Another scene: its speed is not known.
+    void forget_speed() { plan_.reset(); }
+    /// What the times were read from.
+    [[nodiscard]] const std::string& clock() const { return clock_; }
+
+  private:
+    DispatchPlan plan_;
+    GlTraceConfig planned_for_;
+    std::string clock_ = "not read yet";
+};
+
+}  // namespace kd

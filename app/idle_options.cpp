@@ -1,0 +1,60 @@
+#include "app/idle_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <ostream>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/printable.h"
+#include "renderer/scene/procedural.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<const OptionUse*> idle(const CLI::App& app, const std::vector<OptionUse>& uses) {
+    std::vector<const OptionUse*> found;
+    for (const OptionUse& use : uses) {
+        const CLI::Option* option = app.get_option_no_throw(use.option);
+        if (option && option->count() > 0 && !use.acts) found.push_back(&use);
+    }
+    return found;
+}
+
+bool is_seeded(const std::string& scene) {
+    const ProceduralScene* procedural = find_procedural(scene);
+    return procedural && procedural->seeded;
+}
+
+}  // namespace
+
+void refuse_idle(const CLI::App& app, const std::vector<OptionUse>& uses) {
+    for (const OptionUse* use : idle(app, uses)) throw InputError(fmt::format("{}: {}", use->option, use->otherwise));
+}
+
+void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const CommandContext& context) {
+    for (const OptionUse* use : idle(app, uses))
+        context.err << fmt::format("kdscope: note: {} has no effect: {}\n", use->option, printable(use->otherwise));
+}
+
+std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
+                                   bool random_rays) {
+    const bool named = options.tracer.has_value() || !all_tracers;
+    const bool gl = !named || session.tracer == TracerKind::gl_fragment;
+    const bool cpu = !named || session.tracer == TracerKind::cpu;
+    const bool walks = (all_tracers && !options.traversal) || session.trace.traversal != Traversal::naive;
+    const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
+    const std::string no_walk = "the loop over all triangles (naive) walks no tree";
+    return {
+        {"--context", gl, no_gl},
+        {"--early-z", gl, no_gl},
+        {"--count-shaded", gl, no_gl},
+        {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
+        {"--leaf-lists", walks, no_walk},
+        {"--rules", walks, no_walk},
+        {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
+        {"--seed", random_rays || is_seeded(session.scene), fmt::format("nothing in {} is random", session.scene)},
+    };
+}
+
+}  // namespace kd

@@ -1,0 +1,176 @@
+// STABILITY: the cases that break ray tracers. One is chosen from a list, seen in the picture, run, and its parameter driven.
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+#include "app/panels/panel.h"
+#include "app/panels/stability_results.h"
+#include "app/window/places.h"
+#include "app/window/theme.h"
+#include "app/window/widgets.h"
+#include "renderer/measure/stability/stress_scene.h"
+
+namespace kd {
+
+namespace {
+
+bool holds(std::string_view text, const std::string& words) {
+    const auto alike = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    return std::ranges::search(text, words, alike).begin() != text.end() || words.empty();
+}
+
+/// Green or vermilion where it has run, nothing otherwise.
+ImU32 verdict_colour(const EngineState& state, std::string_view id) {
+    const auto found = state.stability.verdicts.find(std::string(id));
+    if (found == state.stability.verdicts.end()) return 0;
+    return found->second->passed() ? theme::passed : theme::error;
+}
+
+void draw_list(const EngineState& state, StabilityView& view) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##filter", "filter: T25, sliver, far", &view.filter);
+    Places::note("filter");
+    ImGui::BeginChild("cases");
+    for (const StabilityCase& info : stability_cases()) {
+        const bool fits =
+            holds(info.id, view.filter) || holds(info.title, view.filter) || holds(info.construction, view.filter);
+        if (!fits) continue;
+        const std::string label = fmt::format("{}  {}", info.id, info.title);
+        if (ImGui::Selectable(label.c_str(), view.id == info.id)) {
+            view.id = info.id;
+            view.row = -1;
+        }
+        if (view.id == info.id && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+        Places::note(info.id);
+        widgets::hint(info.construction);
+        if (const ImU32 colour = verdict_colour(state, info.id)) {
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            const ImVec2 at{high.x - theme::px(8), (low.y + high.y) / 2};
+            ImGui::GetWindowDrawList()->AddCircleFilled(at, theme::px(4), colour);
+        }
+    }
+    ImGui::EndChild();
+}
+
+void draw_scene_buttons(const StabilityCase& info, float width, Edit& edit) {
+    const bool away = edit.session.scene.starts_with(stress_prefix);
+    const std::string& before = edit.window.stability.scene_before;
+    if (widgets::button("show scene",
+                        "Loads the case's first scene into the picture: every map, traversal and tracer works on it.",
+                        true, width))
+        edits::show_stress(edit, fmt::format("{}{}", stress_prefix, info.id));
+    ImGui::SameLine();
+    const std::string label = fmt::format("back to {}", before.empty() ? Session{}.scene : before);
+    const bool back = widgets::button(
+        label.c_str(),
+        away ? "The scene that was shown before, with its camera." : "The picture shows no case's scene now.", away);
+    if (back) edits::leave_stress(edit);
+}
+
+void draw_run_buttons(const EngineState& state, const Sweep* sweep, float width, Edit& edit) {
+    StabilityView& view = edit.window.stability;
+    const bool idle = !state.stability.active;
+    if (widgets::button("run",
+                        idle ? "Runs the case on CPU and GPU under the rules of TRACING, a tenth of its rays."
+                             : "Something runs already.",
+                        idle, width)) {
+        view.charts = false;
+        view.row = -1;
+        edit.do_once(Action::run_case);
+    }
+    ImGui::SameLine();
+    const char* why = !sweep ? "This case has no parameter to drive."
+                      : idle
+                          ? "Drives the parameter through its range and charts what each kind of tracing loses, by the "
+                            "traversal of TRACING."
+                          : "Something runs already.";
+    if (widgets::button("sweep", why, sweep && idle, width)) {
+        view.charts = true;
+        edit.do_once(Action::run_sweep);
+    }
+    ImGui::SameLine();
+    widgets::check("all traversals", view.all_traversals, "Run all of them, or the one of TRACING alone.");
+}
+
+void draw_work(const EngineState& state, Edit& edit) {
+    const StabilityState& work = state.stability;
+    if (!work.error.empty()) widgets::note(work.error, theme::error);
+    if (!work.active) return;
+    const float cancel = theme::px(56);
+    const float bar = ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x;
+    // A case does not know how far it is; what it is at stands below.
+    const std::string text =
+        work.sweeping ? fmt::format("{} {:.0f} %", work.id, 100 * work.fraction) : work.id + " runs";
+    ImGui::ProgressBar(work.fraction, {bar, ImGui::GetFrameHeight()}, text.c_str());
+    ImGui::SameLine();
+    if (widgets::button("cancel", "Ends the run; what was found so far stays.", true, cancel))
+        edit.do_once(Action::cancel_stability);
+    widgets::note(work.what);
+}
+
+/// Which of the sweep's values the picture shows; the first where it shows none.
+int shown_index(const Sweep& sweep, const std::string& scene) {
+    for (std::size_t i = 0; i < sweep.values.size(); ++i)
+        if (scene == stress_name(sweep.id, sweep.values[i])) return int(i);
+    return 0;
+}
+
+void draw_value_slider(const Sweep& sweep, Edit& edit) {
+    int index = shown_index(sweep, edit.session.scene);
+    const bool shown = edit.session.scene == stress_name(sweep.id, sweep.values[std::size_t(index)]);
+    const std::string text =
+        shown ? fmt::format("{:g} {}", sweep.values[std::size_t(index)], sweep.unit) : "move to see one";
+    const std::string tip = fmt::format("Shows the scene at another value of its parameter: {}, from {:g} to {:g} {}.",
+                                        sweep.parameter, sweep.values.front(), sweep.values.back(), sweep.unit);
+    if (widgets::slider("scene at", index, 0, int(sweep.values.size()) - 1, text.c_str(), tip))
+        edits::show_stress(edit, stress_name(sweep.id, sweep.values[std::size_t(index)]));
+}
+
+void draw_case(const EngineState& state, const StabilityCase& info, Edit& edit) {
+    const Sweep* sweep = find_sweep(info.id);
+    ImGui::PushFont(theme::font(theme::Type::heading));
+    ImGui::TextUnformatted(fmt::format("{}  {}", info.id, info.title).c_str());
+    ImGui::PopFont();
+    const float width = theme::px(84);
+    draw_scene_buttons(info, width, edit);
+    draw_run_buttons(state, sweep, width, edit);
+    draw_work(state, edit);
+    if (sweep) draw_value_slider(*sweep, edit);
+    ImGui::BeginChild("texts");
+    const auto paragraph = [](const char* heading, std::string_view text) {
+        widgets::note(heading);
+        widgets::note(text, theme::text);
+    };
+    paragraph("construction", info.construction);
+    paragraph("held against", info.oracle);
+    paragraph("accepted", info.acceptance);
+    if (!info.exempt.empty()) paragraph("may fail because", info.exempt);
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_stability_panel(const EngineState& state, Edit& edit) {
+    StabilityView& view = edit.window.stability;
+    const auto chosen = std::ranges::find(stability_cases(), view.id, &StabilityCase::id);
+    const StabilityCase& info = chosen == stability_cases().end() ? stability_cases().front() : *chosen;
+    const float gap = theme::px(14);
+    const auto column = [&](const char* name, float width, const auto& draw) {
+        ImGui::BeginChild(name, {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
+        draw();
+        ImGui::EndChild();
+    };
+    column("list", theme::px(236), [&] { draw_list(state, view); });
+    ImGui::SameLine(0, gap);
+    column("case", theme::px(296), [&] { draw_case(state, info, edit); });
+    ImGui::SameLine(0, gap);
+    column("results", 0, [&] { draw_results(state, info, edit); });
+}
+
+}  // namespace kd

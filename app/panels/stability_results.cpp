@@ -1,0 +1,161 @@
+#include "app/panels/stability_results.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/sweep_chart.h"
+#include "app/window/chart.h"
+#include "app/window/places.h"
+#include "app/window/theme.h"
+#include "app/window/widgets.h"
+#include "renderer/measure/stability/stress_scene.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+struct Verdicted {
+    const char* text;
+    ImU32 colour;
+};
+
+Verdicted told(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::pass: return {"pass", theme::passed};
+        case Verdict::fail: return {"FAIL", theme::error};
+        case Verdict::exempt: break;
+    }
+    return {"exempt", theme::gpu};
+}
+
+void right_aligned(const std::string& text) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void draw_verdict_row(const StabilityRow& row, int index, StabilityView& view) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string label = fmt::format("{}##{}", row.tracer, index);
+    if (ImGui::Selectable(label.c_str(), view.row == index, ImGuiSelectableFlags_SpanAllColumns))
+        view.row = view.row == index ? -1 : index;
+    Places::note(fmt::format("row {}", index));
+    if (!row.reason.empty()) widgets::hint(row.reason);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.traversal.c_str());
+    const std::string ulp = row.worst_ulp > 0 ? number_text(row.worst_ulp) : "–";
+    for (const std::string& text : {number_text(double(row.n)), number_text(double(row.mismatches)),
+                                    fmt::format("{:.2g} %", 100 * row.upper95), ulp}) {
+        ImGui::TableNextColumn();
+        right_aligned(text);
+    }
+    ImGui::TableNextColumn();
+    const Verdicted verdict = told(row.verdict);
+    ImGui::PushStyleColor(ImGuiCol_Text, verdict.colour);
+    ImGui::TextUnformatted(verdict.text);
+    ImGui::PopStyleColor();
+}
+
+void draw_verdict_table(const StabilityReport& report, float height, StabilityView& view) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("verdicts", 7, flags, {0, height})) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
+    for (const char* title : {"tracer", "traversal"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(title);
+    }
+    for (const char* title : {"rays", "mismatches", "at most (95 %)", "worst ulp"}) {
+        ImGui::TableNextColumn();
+        right_aligned(title);
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("verdict");
+    ImGui::PopStyleColor();
+    for (std::size_t i = 0; i < report.rows.size(); ++i) draw_verdict_row(report.rows[i], int(i), view);
+    ImGui::EndTable();
+}
+
+/// Of the row that was chosen, or of the first that failed.
+void draw_reason(const StabilityReport& report, const StabilityView& view) {
+    const auto failed = std::ranges::find_if(report.rows, [](const auto& r) { return r.verdict != Verdict::pass; });
+    const bool chosen = view.row >= 0 && view.row < int(report.rows.size());
+    const StabilityRow* row = chosen                        ? &report.rows[std::size_t(view.row)]
+                              : failed != report.rows.end() ? &*failed
+                                                            : nullptr;
+    if (!row || row->reason.empty()) {
+        widgets::note(row ? "Nothing to tell about this row." : "No row failed. Choose one to read what was measured.");
+        return;
+    }
+    if (widgets::button("copy",
+                        "Copies the text with its ray in exact hexadecimal floats, as `kdscope trace` reads them.",
+                        true, theme::px(56)))
+        ImGui::SetClipboardText(row->reason.c_str());
+    ImGui::SameLine();
+    ImGui::BeginChild("reason");
+    widgets::note(row->reason, theme::text);
+    ImGui::EndChild();
+}
+
+void draw_verdicts(const EngineState& state, const StabilityCase& info, StabilityView& view) {
+    const auto found = state.stability.verdicts.find(std::string(info.id));
+    if (found == state.stability.verdicts.end()) {
+        const bool runs = state.stability.active && !state.stability.sweeping && state.stability.id == info.id;
+        widgets::note(runs ? "Runs." : "Not run yet: press run.");
+        return;
+    }
+    const StabilityReport& report = *found->second;
+    const float reason = 4 * ImGui::GetTextLineHeightWithSpacing();
+    draw_verdict_table(report, ImGui::GetContentRegionAvail().y - reason, view);
+    for (const std::string& note : report.notes) widgets::note(note);
+    draw_reason(report, view);
+}
+
+void draw_charts(const EngineState& state, const StabilityCase& info, Edit& edit) {
+    const Sweep* sweep = find_sweep(info.id);
+    if (!sweep) return widgets::note("This case has no parameter to drive.");
+    const auto found = state.stability.sweeps.find(std::string(info.id));
+    if (found == state.stability.sweeps.end() || found->second->rows.empty()) {
+        const bool runs = state.stability.active && state.stability.sweeping && state.stability.id == info.id;
+        widgets::note(runs ? "The first value is being measured."
+                           : fmt::format("Press sweep: {} from {:g} to {:g} {}.", sweep->parameter,
+                                         sweep->values.front(), sweep->values.back(), sweep->unit));
+        return;
+    }
+    const Chart faults = fault_chart(*found->second), ulps = ulp_chart(*found->second);
+    chart::draw_legend(faults);
+    widgets::hint("Open marks: nothing was seen in n rays, so the share is below 3/n with 95 % confidence.");
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const float gap = theme::px(16);
+    const ImVec2 size{std::max(theme::px(120), (space.x - gap) / 2), std::max(theme::px(90), space.y)};
+    std::optional<double> marked;
+    for (const double value : sweep->values)
+        if (edit.session.scene == stress_name(sweep->id, value)) marked = value;
+    const std::optional<double> left = chart::draw("##faults", faults, size, marked);
+    ImGui::SameLine(0, gap);
+    const std::optional<double> right = chart::draw("##ulps", ulps, size, marked);
+    if (left || right) edits::show_stress(edit, stress_name(sweep->id, left ? *left : *right));
+}
+
+}  // namespace
+
+void draw_results(const EngineState& state, const StabilityCase& info, Edit& edit) {
+    StabilityView& view = edit.window.stability;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, ImGui::GetStyle().ItemSpacing.y});
+    if (widgets::segment("verdicts", !view.charts, "What run found, a row for each tracer and traversal."))
+        view.charts = false;
+    ImGui::SameLine();
+    if (widgets::segment("charts", view.charts, "What sweep found: rays lost and errors of t against the parameter."))
+        view.charts = true;
+    ImGui::PopStyleVar();
+    if (view.charts)
+        draw_charts(state, info, edit);
+    else
+        draw_verdicts(state, info, view);
+}
+
+}  // namespace kd

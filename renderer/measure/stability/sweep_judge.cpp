@@ -1,0 +1,64 @@
+#include "renderer/measure/stability/sweep_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "renderer/measure/oracle.h"
+#include "renderer/measure/stability/distances.h"
+
+namespace kd {
+
+namespace {
+
+using Wide = glm::vec<3, long double>;
+
+/// Where the ray meets the triangle's plane; not finite where it never does.
+long double plane_distance(const Ray& ray, const Triangle& t) {
+    const Wide a(t.corner[0]);
+    const Wide normal = glm::cross(Wide(t.corner[1]) - a, Wide(t.corner[2]) - a);
+    return glm::dot(normal, a - Wide(ray.origin)) / glm::dot(normal, Wide(ray.direction));
+}
+
+/// |t - exact| in units in the last place that a float has there.
+double float_ulps(double t, long double exact) {
+    const auto nearest = std::abs(float(exact));
+    if (!std::isfinite(nearest) || !std::isfinite(t)) return -1;
+    const double ulp = double(std::nextafter(nearest, KD_T_LIMIT)) - double(nearest);
+    return double(std::abs((long double)t - exact)) / ulp;
+}
+
+}  // namespace
+
+SweepJudge::SweepJudge(const FlatScene& scene, std::span<const Ray> rays, bool every_ray_hits, int threads,
+                       std::stop_token stop)
+    : scene_(scene), rays_(rays), every_ray_hits_(every_ray_hits),
+      exact_(double_brute_force(scene, rays, threads, std::move(stop))) {}
+
+bool SweepJudge::near_edge(std::size_t ray, int triangle) const {
+    const Vec3 o = rays_[ray].origin;
+    const Vec3 reach = glm::max(glm::abs(scene_.bounds.lower - o), glm::abs(scene_.bounds.upper - o));
+    const double slack = double(KD_SLACK) * double(std::max({reach.x, reach.y, reach.z}));
+    return distance_to_edges(rays_[ray], scene_.triangles[std::size_t(triangle)]) <= slack;
+}
+
+SweepFault SweepJudge::judge(std::size_t ray, int triangle, double t) const {
+    const f64::Hit& exact = exact_[ray];
+    SweepFault fault;
+    if (triangle < 0) {
+        fault.missed = every_ray_hits_ || (exact.triangle >= 0 && !near_edge(ray, exact.triangle));
+        return fault;
+    }
+    fault.ulps = float_ulps(t, plane_distance(rays_[ray], scene_.triangles[std::size_t(triangle)]));
+    if (triangle == exact.triangle) return fault;
+    if (exact.triangle < 0) {
+        fault.wrong = !near_edge(ray, triangle);
+        return fault;
+    }
+    const double apart = float_ulps(t, (long double)exact.t);
+    const bool tie = apart >= 0 && apart <= tie_ulps;
+    fault.wrong = !tie && !near_edge(ray, triangle) && !near_edge(ray, exact.triangle);
+    return fault;
+}
+
+}  // namespace kd

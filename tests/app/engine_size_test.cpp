@@ -1,0 +1,70 @@
+// How large the frames are that the engine traces and times, and what it says of them.
+#include "tests/app/engine_run.h"
+
+namespace kd {
+namespace {
+
+TEST(Engine, TimesFramesOfTheSizeThatIsAskedFor) {
+    Engine engine(small_session(), EngineOptions{});
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.rounds.size() >= 2; }));
+    engine.allow_duel(true, 4);
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.scale == 4; }));
+    EXPECT_EQ(engine.state().duel.width, 16);
+    EXPECT_EQ(engine.state().duel.height, 12);
+    EXPECT_TRUE(engine.state().duel.chosen);
+    EXPECT_EQ(engine.state().duel.rounds.size(), 1u) << "rounds of another size do not count";
+}
+
+TEST(DuelScale, IsChosenOnceAndKeptUnlessFramesGetFarTooSlow) {
+    double whole_ms = 600;
+    const auto predicted = [&](int scale) { return whole_ms / (scale * scale); };
+    int scale = duel_scale(0, predicted);
+    EXPECT_EQ(scale, 2);
+    for (const double ms : {400.0, 10.0, 900.0, 2100.0, 7000.0}) {
+        whole_ms = ms;
+        EXPECT_EQ(duel_scale(scale, predicted), 2) << ms;
+    }
+    whole_ms = 9000;
+    EXPECT_EQ(duel_scale(scale, predicted), 8);
+    EXPECT_EQ(duel_scale(0, [](int) { return 0.0; }), 1) << "the speed is not known";
+    EXPECT_EQ(duel_scale(0, [](int) { return 1e9; }), LevelPlan::coarsest);
+}
+
+TEST(DuelState, SaysWhoIsFasterFromThreeRoundsOn) {
+    DuelState duel;
+    duel.add({.cpu_ms = 10, .gl_ms = 20});
+    duel.add({.cpu_ms = 30, .gl_ms = 20});
+    duel.add({.cpu_ms = 10});  // without a GPU
+    EXPECT_FALSE(duel.decided());
+    duel.add({.cpu_ms = 20, .gl_ms = 20});
+    EXPECT_TRUE(duel.decided());
+    EXPECT_EQ(duel.ratio.samples, 3);
+    EXPECT_DOUBLE_EQ(duel.ratio.median, 1);
+    EXPECT_GE(duel.ratio.p75, 1);
+    EXPECT_LE(duel.ratio.p25, 1);
+}
+
+TEST(LevelPlan, StartsCoarseWhileTheSpeedIsUnknownAndEndsWithEveryPixel) {
+    LevelPlan plan;
+    EXPECT_EQ(plan.first(1600, 900), 16);
+    EXPECT_EQ(plan.first(8, 8), 1) << "a picture of few pixels has no steps";
+    plan.learn(1000, 1600 * 900);  // 1 s per picture
+    int scale = plan.first(1600, 900);
+    EXPECT_LE(plan.predicted_ms(scale, 1600, 900), LevelPlan::first_frame_ms);
+    EXPECT_GT(scale, 1);
+    int steps = 0;
+    while (scale != 1 && ++steps < 10) scale = plan.next(scale, 1600, 900);
+    EXPECT_EQ(scale, 1);
+    plan.reset();
+    EXPECT_EQ(plan.predicted_ms(1, 1600, 900), 0);
+}
+
+TEST(LevelPlan, GoesStraightToEveryPixelWhereThatIsFast) {
+    LevelPlan plan;
+    plan.learn(5, 1600 * 900);
+    plan.learn(5, 1600 * 900);
+    EXPECT_EQ(plan.first(1600, 900), 1);
+}
+
+}  // namespace
+}  // namespace kd

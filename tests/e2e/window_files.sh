@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# A file that is dropped onto the window is shown; the list of scenes has its name, also the next time; a bad one is told.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+command -v python3 >/dev/null || skip "python3 is not installed"
+
+drop() { python3 "$(dirname -- "${BASH_SOURCE[0]}")/drop_file.py" "$window" 500 300 "$1" || fail "dropping $1"; }
+deep=$PWD/a-folder-with-a-long-name/another-folder-with-a-long-name
+mkdir -p "$deep"
+cp "$KD_SOURCE_DIR/tests/fixtures/app/large_square.gltf" "$deep/Würfel 1.gltf"
+start_window ball:300
+drop "$deep/Würfel 1.gltf"
+wait_for '^settings.scene=.*/Würfel 1.gltf$'
+wait_for '^scene.triangles=2$'
+
+choose "top/scene" rooms
+wait_for '^settings.scene=rooms$'
+choose "top/scene" "$deep/Würfel 1.gltf"
+wait_for '^settings.scene=.*/Würfel 1.gltf$'
+drop "$KD_SOURCE_DIR/README.md"
+wait_for '^messages.*README.md.*not a .gltf or .glb file'
+[[ $(value settings.scene) == *Würfel* ]] || fail "the scene before is gone: $(value settings.scene)"
+
+kill -TERM "$window_pid" && wait "$window_pid"
+window_pid=
+start_window ball:300
+choose "top/scene" "$deep/Würfel 1.gltf"
+wait_for '^scene.triangles=2$'
+echo "passed"

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# TIME: frames of the size that is asked for are timed; dragged high, the panel gives the plot its whole width.
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window ball:300
+wait_for '^duel.rounds=[1-9]'
+choose "TIME/size" half
+wait_for "^duel.width=$((($(value frame.width) + 1) / 2))$"
+wait_for '^duel.rounds=[3-9]'
+press t
+wait_for '^settings.traversal=restart$'
+wait_for "^duel.width=$((($(value frame.width) + 1) / 2))$"
+
+width_of() { place "$1" | cut -d' ' -f3; }
+holds "$(width_of TIME/plot) < 700" || fail "the plot is $(width_of TIME/plot) wide beside the numbers"
+top=$(value picture_area.1) height=$(value picture_area.3)
+edge=$((${top%.*} + ${height%.*} + 2))
+move_to 600 "$edge"
+hold
+move_by 20 0 -12
+let_go
+holds "$(width_of TIME/plot) > 1200" || fail "the plot is $(width_of TIME/plot) wide in a high panel"
+echo "passed"
