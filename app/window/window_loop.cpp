@@ -30,6 +30,7 @@ namespace {
 constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
 constexpr double preview_wait_s = 0.03;
 constexpr int frames_after_input = 2;
+constexpr float double_click_s = 0.3f;
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -203,6 +204,8 @@ void WindowLoop::lay_out_frame() {
     take_keys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // Clicks are seen once per frame: a slow frame must not make two of a double click.
+    ImGui::GetIO().MouseDoubleClickTime = double_click_s + ImGui::GetIO().DeltaTime;
     ImGui::NewFrame();
     const double now = engine_->now();
     const auto seconds = float(now - last_frame_);

@@ -1,18 +1,15 @@
 // What the engine does when OpenGL fails; faults by their number in docs/stability.md.
 #include <atomic>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <thread>
 
 #include "app/engine.h"
+#include "tests/support/faulty_shaders.h"
 
 namespace kd {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 class EngineGlFaults : public testing::Test {
@@ -46,15 +43,7 @@ class EngineGlFaults : public testing::Test {
 
     /// Reads shaders from a folder where `file` has `to` instead of `from`.
     static void change_shader(const std::string& file, const std::string& from, const std::string& to) {
-        const fs::path folder = fs::path(KD_TEST_OUTPUT_DIR) / "engine shaders";
-        fs::remove_all(folder);
-        fs::copy(fs::path(KD_SOURCE_DIR) / "shaders", folder, fs::copy_options::recursive);
-        std::ifstream in(folder / file);
-        std::string text(std::istreambuf_iterator<char>(in), {});
-        const std::size_t at = text.find(from);
-        ASSERT_NE(at, std::string::npos) << file;
-        std::ofstream(folder / file) << text.replace(at, from.size(), to);
-        setenv("KD_SHADER_DIR", folder.c_str(), 1);
+        setenv("KD_SHADER_DIR", test::shaders_with(file, from, to).c_str(), 1);
     }
 
     static bool settle(Engine& engine) {

@@ -62,7 +62,7 @@ refused F08 3 'the GPU was reset while' KDSCOPE_FAULT=lost:1 -- "${gl[@]}"
 # F12: no room, or no right to write.
 if [[ -w /dev/full ]]; then
     printf 'ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n' >rays.csv
-    refused F12 2 'cannot write /dev/full: No space left on device' -- trace ball:300 --tracer cpu --rays rays.csv -o /dev/full
+    refused F12 2 "cannot write '/dev/full': No space left on device" -- trace ball:300 --tracer cpu --rays rays.csv -o /dev/full
 fi
 refused F12 2 "/proc/out.png.*(No such file|Permission|not permitted)" -- render ball:300 --size 8x8 -o /proc/out.png
 mkdir -p full

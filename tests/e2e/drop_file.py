@@ -108,7 +108,7 @@ def main():
     if not drag.wait_for("XdndStatus")[1] & 1:
         sys.exit("the window takes no files")
     drag.send("XdndDrop", 0, 0, 0, 0)
-    if not drag.wait_for("XdndFinished")[1] & 1:
+    if drag.wait_for("XdndFinished")[1] == 0:  # GLFW answers with the length of what it read
         sys.exit("the window did not take the file")
 
 

@@ -55,8 +55,12 @@ press ctrl+v
 press r
 hover $((x + 15)) $((y + 20))
 hold && let_go
-xdotool click --repeat 2 --delay 60 1
-for _ in $(seq 100); do [[ $(camera) != "$own" ]] && break || sleep 0.1; done
+# Two clicks within one frame are one to Dear ImGui, and on a busy machine frames take long.
+for _ in $(seq 5); do
+    xdotool click --repeat 2 --delay 60 1
+    for _ in $(seq 30); do [[ $(camera) != "$own" ]] && break 2 || sleep 0.1; done
+    press r
+done
 expect_camera other "double click"
 press r
 press_for F12 '^last_export=.*kdscope-1.png$'

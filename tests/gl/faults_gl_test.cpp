@@ -3,9 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 
 #include "renderer/geometry/input_error.h"
@@ -13,12 +11,13 @@
 #include "renderer/gl/pass_timer.h"
 #include "renderer/gl/self_test.h"
 #include "tests/gl/gl_test.h"
+#include "tests/support/faulty_shaders.h"
 
 namespace kd {
 namespace {
 
-namespace fs = std::filesystem;
 using test::context_name;
+using test::shaders_with;
 using test::whole;
 
 /// Sets a variable of the environment for a scope.
@@ -41,19 +40,6 @@ class GlFaults : public testing::TestWithParam<ContextKind> {
         } catch (const ContextError& error) {
             GTEST_SKIP() << "NO CONTEXT: " << error.what();
         }
-    }
-
-    /// The project's shaders, with `from` in one of them replaced by `to`, in a folder.
-    static fs::path shaders_with(const std::string& file, const std::string& from, const std::string& to) {
-        const fs::path folder = fs::path(KD_TEST_OUTPUT_DIR) / "shaders with a fault";
-        fs::remove_all(folder);
-        fs::copy(fs::path(KD_SOURCE_DIR) / "shaders", folder, fs::copy_options::recursive);
-        std::ifstream in(folder / file);
-        std::string text(std::istreambuf_iterator<char>(in), {});
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << file << " has no '" << from << "'";
-        std::ofstream(folder / file) << text.replace(at, from.size(), to);
-        return folder;
     }
 
     template <class Error>
@@ -80,7 +66,7 @@ KD_FOR_ALL_CONTEXTS(GlFaults);
 
 TEST_P(GlFaults, F03_AShaderThatFailsNamesFileAndLineAndThePassesBeforeItStayUsable) {
     const auto context = Context::create(GetParam());
-    const fs::path folder =
+    const std::filesystem::path folder =
         shaders_with("fragment/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
     const Variable shaders("KD_SHADER_DIR", folder.string());
     GlTracer tracer(*context);

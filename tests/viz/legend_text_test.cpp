@@ -57,7 +57,7 @@ TEST(LegendText, CategoriesHaveRowsAndNoTicks) {
     const LegendText text = text_of(map, {});
     EXPECT_TRUE(text.ticks.empty() && text.scale.empty());
     ASSERT_EQ(text.rows.size(), 2u);
-    EXPECT_EQ(value_of(text, "hit"), "75 %");
+    EXPECT_EQ(value_of(text, "hit"), "3  75 %");
     EXPECT_EQ(text.rows[1].swatch, category_colour(1));
 }
 
