@@ -16,9 +16,9 @@ void Judging::judge(const TracedFrame& traced, Pass rays, int threads, const std
         oracle_ = std::make_unique<DoubleOracle>(scene_->flat);
     }
     const Frame& frame = *traced.frame;
-    const PinholeCamera camera = pinhole(traced.camera, frame.width, frame.height);
     const auto publish_every = [&](int step, const std::stop_token& until, const std::function<void(float)>& told) {
-        std::optional<JudgedLayer> judged = judge_frame(*oracle_, {frame, camera, rays, step, threads}, until, told);
+        std::optional<JudgedLayer> judged =
+            judge_frame(*oracle_, {frame, traced.lens, rays, step, threads}, until, told);
         if (judged) publish(std::make_shared<const JudgedLayer>(*std::move(judged)));
     };
     if (traced.scale == 1) publish_every(sketch_step, {}, {});

@@ -27,7 +27,7 @@ std::optional<OracleReading> read_oracle(const TracedFrame& traced, PixelPositio
     if (!traced.judged || traced.judged->step != 1 || !frame.colour.contains(x, y)) return std::nullopt;
     const JudgedLayer& layer = *traced.judged;
     const FlatScene& scene = traced.world->scene();
-    const auto ray = ray_of_pixel(scene, pinhole(traced.camera, frame.width, frame.height), frame, layer.rays, x, y);
+    const auto ray = ray_of_pixel(scene, traced.lens, frame, layer.rays, x, y);
     if (!ray) return std::nullopt;
     JudgedHit judged = layer.hits.at(x, y);
     judged.exact = to_scene_units(scene, judged.exact);

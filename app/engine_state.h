@@ -28,6 +28,7 @@ struct TracedFrame {
     std::shared_ptr<const Frame> frame;
     std::shared_ptr<const JudgedLayer> judged;  // of some or all pixels, where a map asked for it; else null
     Camera camera;
+    PinholeCamera lens;  // that its rays come from: a preview's is that of the whole picture, whatever its own shape
     TraceConfig config;
     TracerKind tracer = TracerKind::cpu;
     int scale = 1;      // 1 = every pixel of the picture, 8 = one of 8x8: a preview

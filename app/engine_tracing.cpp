@@ -123,6 +123,7 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
                  frame,
                  {},
                  request.camera,
+                 task.camera,
                  request.config,
                  request.tracer,
                  scale,

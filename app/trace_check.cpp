@@ -16,12 +16,6 @@ namespace {
 constexpr std::size_t rays_per_step = 16384;  // between looks at the stop request
 constexpr std::size_t most_lines = 100;
 
-/// The ray as --rays takes it: eight numbers.
-std::string pasteable(const Ray& ray) {
-    const auto& [o, d, t_min, t_max, source] = ray;
-    return fmt::format("{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a}", o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max);
-}
-
 }  // namespace
 
 TraceCheck::TraceCheck(const FlatScene& scene, std::span<const Ray> asked, int threads, ProgressLine& progress,
@@ -54,7 +48,7 @@ std::string TraceCheck::failure_text(const std::string& who, std::size_t i, cons
     const std::string by = judged.verdict == HitVerdict::wrong_t ? fmt::format(" by {:.4g} ulp", judged.ulps) : "";
     return fmt::format("ray {}: {}: {}{}; found {}; in double {}; the ray is {}", i, who, name_of(judged.verdict), by,
                        exact_text(to_scene_units(scene, found)), exact_text(to_scene_units(scene, judged.exact)),
-                       pasteable(asked_[i]));
+                       exact_text(asked_[i]));
 }
 
 std::string TraceCheck::summary() const {

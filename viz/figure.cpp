@@ -16,7 +16,11 @@ std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view, cons
 Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
                           const std::optional<MapView>& map) {
     Image<Rgba8> image = paint_beauty(frame);
-    if (map) image = blend(image, paint_map(map->map, view.heat, map->summary.range), view.heat.opacity);
+    if (map) {
+        // Names are read by their very colours; an image showing through would make others of them.
+        const float opacity = map->map.categories.empty() ? view.heat.opacity : 1.0f;
+        image = blend(image, paint_map(map->map, view.heat, map->summary.range), opacity);
+    }
     if (view.overlay.show) {
         draw_lines(image, split_lines(tree, view.overlay), pinhole(camera, frame.width, frame.height), frame,
                    view.overlay);

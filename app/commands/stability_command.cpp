@@ -153,7 +153,10 @@ int run_sweep_command(const StabilityOptions& options, CommandContext& context) 
 
 int run(const CLI::App& app, const StabilityOptions& options, CommandContext& context) {
     if (!options.csv.empty() && options.sweep.empty()) throw InputError("--csv: goes with --sweep; add --sweep T14");
-    if (!options.sweep.empty()) return run_sweep_command(options, context);
+    if (!options.sweep.empty()) {
+        require_context(options, true);
+        return run_sweep_command(options, context);
+    }
     if (options.list) {
         for (const char* option : {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules"})
             refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
@@ -169,6 +172,8 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
         report = run_stability(config_for(options), show, context.stop);
     }
     check_stop(context);
+    if (report.rows.empty())
+        throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
     if (options.json)
         context.out << json_text(json_of(report));
     else

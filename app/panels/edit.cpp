@@ -190,7 +190,9 @@ void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
         show_oracle(edit);
         return;
     }
-    if (const auto pixel = next_wrong_pixel(*judged, edit.window.pinned, backwards)) edit.window.pinned = *pixel;
+    std::optional<PixelPosition> from = edit.window.pinned;
+    if (!from && state.hovered) from = state.hovered->pixel;
+    if (const auto pixel = next_wrong_pixel(*judged, from, backwards)) edit.window.pinned = *pixel;
 }
 
 void focus(const EngineState& state, Edit& edit) {

@@ -20,23 +20,29 @@ std::string error_text(const JudgedHit& judged, bool both_missed) {
     return std::isfinite(judged.ulps) ? number_text(judged.ulps) + " ulp" : "one missed";
 }
 
+std::string triangle_text(bool known, int triangle) {
+    if (!known) return none;
+    return triangle >= 0 ? fmt::format("#{}", triangle) : "no hit";
+}
+
 /// Of the exact hit; of the one found where there is no exact one.
 std::string edge_text(const JudgedHit& judged, const Hit& found) {
     if (judged.exact.triangle >= 0) return number_text(edge_distance(judged.exact.u, judged.exact.v));
     return found.triangle >= 0 ? number_text(edge_distance(double(found.u), double(found.v))) : none;
 }
 
-void draw_comparison(const OracleReading& oracle, const Hit& found) {
+/// The pixel's verdict; dashes where it has none yet.
+void draw_comparison(const OracleReading* known, const Hit& found) {
+    const OracleReading oracle = known ? *known : OracleReading{};
     const JudgedHit& judged = oracle.judged;
     const bool hit = judged.exact.triangle >= 0;
     widgets::value(
-        "verdict", std::string(name_of(judged.verdict)),
+        "verdict", known ? std::string(name_of(judged.verdict)) : none,
         "agrees; tie: another answer where neither is wrong; missed, false hit, wrong triangle, t off by more "
         "than 64 units in the last place; unfinished: the walk was given up.",
-        is_wrong(judged.verdict) ? theme::error : 0);
-    widgets::value("found triangle", found.triangle >= 0 ? fmt::format("#{}", found.triangle) : "none",
-                   "What the traversal answered.");
-    widgets::value("exact triangle", hit ? fmt::format("#{}", judged.exact.triangle) : "none",
+        known && is_wrong(judged.verdict) ? theme::error : 0);
+    widgets::value("found triangle", triangle_text(known, found.triangle), "What the traversal answered.");
+    widgets::value("exact triangle", triangle_text(known, judged.exact.triangle),
                    "What a loop over all triangles in double precision answers.");
     widgets::value("exact t", hit ? number_text(judged.exact.t) : none, "In scene units.");
     widgets::value("error of t", error_text(judged, !hit && found.triangle < 0),
@@ -92,7 +98,8 @@ void draw_verdict(const EngineState& state, Edit& edit) {
     const OracleReading nothing{};
     const bool known = pixel && pixel->oracle;
     const OracleReading& oracle = known ? *pixel->oracle : nothing;
-    draw_comparison(oracle, known ? pixel->passes[std::size_t(oracle.rays)].hit : Hit{-1, 0.0f, 0.0f, 0.0f});
+    draw_comparison(known ? &oracle : nullptr,
+                    known ? pixel->passes[std::size_t(oracle.rays)].hit : Hit{-1, 0.0f, 0.0f, 0.0f});
     draw_wrong_pixels(state, edit);
     draw_ray(oracle.ray, edit);
 }

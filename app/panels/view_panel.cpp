@@ -85,7 +85,13 @@ std::string no_log(const Edit& edit) {
 void draw_colours(Edit& edit) {
     HeatmapConfig& heat = edit.session.view.heat;
     widgets::choice("colours", heat.colormap, widgets::options_of(colormaps()), "Key C: the next. Option --colormap.");
-    widgets::slider("opacity", heat.opacity, 0, 1, "%.2f", "Of the colours over the image. Option --opacity.");
+    const MapInfo* map = find_map(edit.session.view.map.map);
+    const bool names = map && map->kind == MapInfo::Kind::category;
+    ImGui::BeginDisabled(names);
+    widgets::slider("opacity", heat.opacity, 0, 1, "%.2f",
+                    names ? "This map shows names: their colours cover the image."
+                          : "Of the colours over the image. Option --opacity.");
+    ImGui::EndDisabled();
     const std::string why_not = no_log(edit);
     bool logarithmic = heat.logarithmic;
     ImGui::BeginDisabled(!why_not.empty());

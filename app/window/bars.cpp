@@ -93,14 +93,13 @@ std::string machines_text(const EngineState& state) {
                        gpu);
 }
 
-/// "CPU, stack" or "GPU, restart", in its accent, and on what.
+/// "CPU · stack" or "GPU · restart · as-published", with a dot in the machine's accent.
 void draw_badge(const EngineState& state, Edit& edit) {
     const bool cpu = state.session.tracer == TracerKind::cpu;
-    const std::string what = fmt::format("{} · {}",
-                                         cpu                 ? "CPU"
-                                         : state.gl.software ? "GPU (software)"
-                                                             : "GPU",
-                                         info(state.session.trace.traversal).name);
+    const TraceConfig& trace = state.session.trace;
+    const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
+    std::string what = fmt::format("{} · {}", machine, info(trace.traversal).name);
+    if (trace.rules != Rules::robust) what += fmt::format(" · {}", info(trace.rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float width = ImGui::CalcTextSize(what.c_str()).x + theme::px(24);
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - help - theme::px(24)));

@@ -46,8 +46,7 @@ std::string title_of(const EngineState& state) {
 
 RayCounts rays_of(const TracedFrame& traced) {
     const Frame& frame = *traced.frame;
-    const PinholeCamera camera = pinhole(traced.camera, frame.width, frame.height);
-    return count_rays(traced.world->scene(), traced.world->tree, traced.config, camera, frame.width, frame.height);
+    return count_rays(traced.world->scene(), traced.world->tree, traced.config, traced.lens, frame.width, frame.height);
 }
 
 PngText png_text(const EngineState& state) {

@@ -72,8 +72,8 @@ void compare_counters(const ReferenceRays& reference, const RayAnswers& expected
 
 std::string exact_text(const Ray& ray) {
     const auto& [o, d, t_min, t_max, source] = ray;
-    return fmt::format("{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a} (source {})", o.x, o.y, o.z, d.x, d.y, d.z, t_min,
-                       t_max, source);
+    return fmt::format("{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a}", o.x, o.y, o.z, d.x, d.y, d.z, t_min, t_max) +
+           (source >= 0 ? fmt::format(" (source {})", source) : "");
 }
 
 std::string exact_text(const Hit& hit) { return exact_text_of(hit); }

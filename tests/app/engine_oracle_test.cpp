@@ -1,6 +1,9 @@
 // The engine's stage between frame and picture: hits against double precision, where a map asks for it.
 #include <gtest/gtest.h>
 
+#include "app/engine_judging.h"
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/kdtree/build.h"
 #include "tests/app/engine_run.h"
 
 namespace kd {
@@ -58,6 +61,29 @@ TEST(EngineOracle, ACameraOnTheMoveEndsComparisonsOfFramesBefore) {
     ASSERT_NE(engine.state().judged(), nullptr);
     EXPECT_EQ(engine.state().picture->traced.camera.eye, camera.eye);
     EXPECT_EQ(engine.state().judged()->wrong(), 0);
+}
+
+TEST(EngineOracle, PreviewsAreComparedByTheRaysThatTheyWereTracedBy) {
+    // 203 x 151 in steps of 8 is 26 x 19: another shape.
+    const auto loaded = std::make_shared<LoadedScene>();
+    loaded->flat = load_scene("ball:300", 1);
+    const auto world = std::make_shared<World>();
+    world->loaded = loaded;
+    world->tree = build_tree(world->scene().triangles, {});
+    const auto frame = std::make_shared<Frame>(26, 19);
+    TracedFrame traced;
+    traced.world = world;
+    traced.camera = world->scene().camera;
+    traced.lens = pinhole(traced.camera, 203, 151);
+    traced.scale = 8;
+    CpuTracer(world->scene(), world->tree).trace_frame({}, traced.lens, *frame, 1);
+    traced.frame = frame;
+    std::shared_ptr<const JudgedLayer> judged;
+    Judging().judge(traced, Pass::rt_prim, 1, {}, [&](auto layer) { judged = std::move(layer); }, {});
+    ASSERT_NE(judged, nullptr);
+    EXPECT_EQ(judged->compared(), 26 * 19);
+    EXPECT_EQ(judged->wrong(), 0);
+    EXPECT_EQ(judged->counts[std::size_t(HitVerdict::agrees)], judged->compared());
 }
 
 TEST(EngineOracle, ShadowRaysAreNotComparedAndTheViewGoesBack) {

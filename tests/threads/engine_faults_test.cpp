@@ -132,7 +132,8 @@ TEST(EngineFaults, F15_MemoryThatRunsOutForAPictureKeepsTheOldOne) {
         ASSERT_TRUE(wait_until(engine, says_memory));
         ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return !s.working(); }));
     }
-    EXPECT_TRUE(engine.state().picture);
+    ASSERT_TRUE(engine.state().picture);
+    EXPECT_EQ(engine.state().picture->traced.frame, before->traced.frame);
     session.width = 50;
     engine.set_session(session);
     ASSERT_TRUE(settle(engine));

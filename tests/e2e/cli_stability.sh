@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# The whole stability suite on the CPU passes, and fails where it has to: under the published rules.
+set -euo pipefail
+
+fail() { echo "FAIL: $*" && exit 1; }
+
+"$KDSCOPE" stability --tracer cpu --json >suite.json 2>errors.txt || fail "a case failed: $(grep -o '"reason": "[^"]*"' suite.json | head -3)"
+cases=$(grep -o '"case": "T[0-9]*"' suite.json | sort -u | wc -l)
+((cases >= 55)) || fail "only $cases cases ran"
+if "$KDSCOPE" stability --tracer cpu --rules as-published --case T10,T11,T12,T15,T16,T32 --json >published.json 2>>errors.txt; then
+    fail "the published rules pass"
+fi
+failing=$(grep -c '"verdict": "fail"' published.json)
+((failing == 18)) || fail "$failing of 18 rows fail under the published rules"
+echo "passed"
