@@ -90,7 +90,8 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             try {
                 // Counters come from a frame of their own: counting is not free.
                 tracer->prepare(config, s.width, s.height);
-                tracer->trace(config, bench.camera, s.width, s.height);
+                tracer->trace(config, bench.camera, s.width, s.height, context.stop);
+                check_stop(context);
                 const Frame frame = tracer->frame(config);
                 row.counters = sum_of(pass_totals(frame, bench.rays));
                 if (const UnfinishedPixels unfinished = count_unfinished(frame); unfinished.pixels > 0)
@@ -105,11 +106,14 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             config.counters = false;
             tracer->prepare(config, s.width, s.height);
             bench.rows.push_back(std::move(row));
-            contestants.push_back({name, [&, tracer = tracer.get(), config, name] {
-                                       check_stop(context);
-                                       progress.show(0.0f, name);
-                                       return tracer->trace(config, bench.camera, s.width, s.height).total_ms;
-                                   }});
+            contestants.push_back(
+                {name, [&, tracer = tracer.get(), config, name] {
+                     check_stop(context);
+                     progress.show(0.0f, name);
+                     const double ms = tracer->trace(config, bench.camera, s.width, s.height, context.stop).total_ms;
+                     check_stop(context);
+                     return ms;
+                 }});
         }
     const std::vector<TimeSummary> times = time_interleaved(contestants, options.warmup, options.rounds);
     for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].time = times[i];
