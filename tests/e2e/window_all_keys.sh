@@ -56,8 +56,8 @@ press r
 hover $((x + 15)) $((y + 20))
 hold && let_go
 # Two clicks within one frame are one to Dear ImGui, and on a busy machine frames take long.
-for _ in $(seq 5); do
-    xdotool click --repeat 2 --delay 60 1
+for pause in 60 60 120 200 280; do
+    xdotool click --repeat 2 --delay "$pause" 1
     for _ in $(seq 30); do [[ $(camera) != "$own" ]] && break 2 || sleep 0.1; done
     press r
 done
