@@ -53,13 +53,8 @@ std::string TraceCheck::failure_text(const std::string& who, std::size_t i, cons
 
 std::string TraceCheck::summary() const {
     const std::int64_t n = std::accumulate(counts_.begin(), counts_.end(), std::int64_t(0));
-    std::string text =
-        fmt::format("{} of {} answers {} wrong in double precision", wrong_, n, wrong_ == 1 ? "is" : "are");
-    char before = ':';
-    for (std::size_t i = 0; i < verdict_count; ++i)
-        if (is_wrong(HitVerdict(i)) && counts_[i] > 0)
-            text += fmt::format("{} {} {}", std::exchange(before, ','), counts_[i], verdict_names[i]);
-    return text;
+    return fmt::format("{} of {} answers {} wrong in double precision", wrong_, n, wrong_ == 1 ? "is" : "are") +
+           wrong_text(counts_);
 }
 
 std::vector<Ray> TraceCheck::failed_rays() const {

@@ -64,11 +64,7 @@ Json json_of(const Rendering& r) {
 std::string verdict_text(const JudgedLayer& judged) {
     std::string text =
         fmt::format("{} wrong of {} {} rays", judged.wrong(), judged.compared(), ray_names[std::size_t(judged.rays)]);
-    char before = ':';
-    for (std::size_t i = 0; i < verdict_count; ++i) {
-        if (!is_wrong(HitVerdict(i)) || judged.counts[i] == 0) continue;
-        text += fmt::format("{} {} {}", std::exchange(before, ','), judged.counts[i], verdict_names[i]);
-    }
+    text += wrong_text(judged.counts);
     if (judged.wrong() == 0 && judged.compared() > 0)
         text += fmt::format("; 0 of n means below 3/n = {:.2g}", 3 / double(judged.compared()));
     return text;

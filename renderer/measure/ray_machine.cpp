@@ -1,6 +1,7 @@
 #include "renderer/measure/ray_machine.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <numeric>
 
 #include "renderer/cpu/cpu_tracer.h"
@@ -87,6 +88,19 @@ class GlMachine : public RayMachine {
 std::unique_ptr<RayMachine> cpu_machine(int threads) { return std::make_unique<CpuMachine>(threads); }
 
 std::unique_ptr<RayMachine> gl_machine(ContextKind kind) { return std::make_unique<GlMachine>(kind); }
+
+std::vector<std::unique_ptr<RayMachine>> gl_machines(std::span<const ContextKind> kinds, std::string_view undone,
+                                                     std::vector<std::string>& notes) {
+    std::vector<std::unique_ptr<RayMachine>> machines;
+    for (const ContextKind kind : kinds) {
+        try {
+            machines.push_back(gl_machine(kind));
+        } catch (const ContextError& error) {
+            notes.push_back(fmt::format("gl-fragment on {} not {}: {}", name_of(kind), undone, error.what()));
+        }
+    }
+    return machines;
+}
 
 std::vector<Hit> brute_force(const FlatScene& scene, std::span<const Ray> rays, int threads, std::stop_token stop) {
     const KdTree no_tree;

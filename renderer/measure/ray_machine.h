@@ -5,6 +5,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/gl/context.h"
@@ -38,6 +39,10 @@ class RayMachine {
 
 /// ContextError where there is no such context.
 [[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind);
+
+/// Those of `kinds` that there are; of each other a note: "gl-fragment on egl not checked: why", with `undone` for "checked".
+[[nodiscard]] std::vector<std::unique_ptr<RayMachine>>
+gl_machines(std::span<const ContextKind> kinds, std::string_view undone, std::vector<std::string>& notes);
 
 /// The answers of the naive traversal on the CPU: the reference of every other. Incomplete where stopped.
 [[nodiscard]] std::vector<Hit> brute_force(const FlatScene& scene, std::span<const Ray> rays, int threads = 0,

@@ -79,13 +79,7 @@ class Verification {
     }
 
     void open_contexts() {
-        for (const ContextKind kind : config_.contexts) {
-            try {
-                gl_.push_back(gl_machine(kind));
-            } catch (const ContextError& error) {
-                report_.notes.push_back(fmt::format("gl-fragment on {} not checked: {}", name_of(kind), error.what()));
-            }
-        }
+        gl_ = gl_machines(config_.contexts, "checked", report_.notes);
         const std::size_t runs = modes_.size() * ((config_.cpu ? 1 : 0) + gl_.size());
         steps_ = 4 + config_.builders.size() * (2 + runs) + (naive_ ? gl_.size() : 0);
     }

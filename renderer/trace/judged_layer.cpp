@@ -1,9 +1,19 @@
 #include "renderer/trace/judged_layer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
 namespace kd {
+
+std::string wrong_text(const VerdictCounts& counts) {
+    std::string text;
+    for (std::size_t i = 0; i < verdict_count; ++i)
+        if (is_wrong(HitVerdict(i)) && counts[i] > 0)
+            text += fmt::format("{} {} {}", text.empty() ? ":" : ",", counts[i], verdict_names[i]);
+    return text;
+}
 
 std::string_view name_of(HitVerdict verdict) {
     return verdict == HitVerdict::none ? "not compared" : verdict_names[std::size_t(verdict)];

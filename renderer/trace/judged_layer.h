@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "renderer/trace/frame.h"
@@ -48,11 +49,13 @@ struct JudgedHit {
 
 using VerdictCounts = std::array<std::int64_t, verdict_count>;
 
+/// ": 2 missed, 1 wrong triangle", of the wrong ones that there are; nothing where all is right.
+[[nodiscard]] std::string wrong_text(const VerdictCounts& counts);
+
 /// The hits of one pass's rays, judged pixel by pixel.
 struct JudgedLayer {
     Pass rays = Pass::rt_prim;
-    int step =
-        1;  // along both sides, every so many pixels of the frame are judged; image pixel x is the frame's x * step
+    int step = 1;  // every so many pixels along both sides are judged: x of `hits` is the frame's x * step
     Image<JudgedHit> hits;
     VerdictCounts counts{};  // as tally() finds them
     double worst_ulps = 0;   // of t among the pixels that are right

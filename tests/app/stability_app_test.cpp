@@ -28,8 +28,7 @@ Session small_session() {
     return session;
 }
 
-/// Polls until nothing of the suite runs; false after a minute.
-/// Polls until nothing runs; a sanitizer makes a case take minutes.
+/// Polls until nothing of the suite runs; false after ten minutes, as a sanitizer makes a case take some.
 bool rests(Engine& engine) {
     for (int i = 0; i < 600'000; ++i) {
         engine.poll();

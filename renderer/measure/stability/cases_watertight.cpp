@@ -31,6 +31,24 @@ SweepScene seen_from_inside(std::vector<Triangle> triangles) {
     return {std::move(triangles), {}, camera_at(Vec3(0.2f, 0.1f, 0.3f), Vec3(-1, 0.3f, -0.4f), 75), true};
 }
 
+/// Rays that pass edges, or vertices, of the sphere by the parameter.
+template <bool at_vertices>
+Sweep aim_beside(std::string_view id, std::string_view parameter) {
+    return {id,
+            parameter,
+            "radii",
+            true,
+            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+            [](double offset, std::size_t n, Random& r) {
+                SweepScene made = seen_from_inside(sphere());
+                const auto origin = [&] { return random_point(r, -inside, inside); };
+                made.rays = at_vertices ? rays_to_vertices(r, made.triangles, n, origin)
+                                        : rays_to_edges(r, made.triangles, n, origin);
+                made.rays = off_target(r, std::move(made.rays), offset);
+                return made;
+            }};
+}
+
 }  // namespace
 
 StabilityCase case_T14() {
@@ -72,19 +90,7 @@ StabilityCase case_T15() {
             }};
 }
 
-Sweep sweep_T15() {
-    return {"T15",
-            "distance from the edge",
-            "radii",
-            true,
-            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
-            [](double offset, std::size_t n, Random& r) {
-                SweepScene made = seen_from_inside(sphere());
-                const auto origin = [&] { return random_point(r, -inside, inside); };
-                made.rays = off_target(r, rays_to_edges(r, made.triangles, n, origin), offset);
-                return made;
-            }};
-}
+Sweep sweep_T15() { return aim_beside<false>("T15", "distance from the edge"); }
 
 StabilityCase case_T16() {
     return {"T16",
@@ -100,18 +106,6 @@ StabilityCase case_T16() {
             }};
 }
 
-Sweep sweep_T16() {
-    return {"T16",
-            "distance from the vertex",
-            "radii",
-            true,
-            {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
-            [](double offset, std::size_t n, Random& r) {
-                SweepScene made = seen_from_inside(sphere());
-                const auto origin = [&] { return random_point(r, -inside, inside); };
-                made.rays = off_target(r, rays_to_vertices(r, made.triangles, n, origin), offset);
-                return made;
-            }};
-}
+Sweep sweep_T16() { return aim_beside<true>("T16", "distance from the vertex"); }
 
 }  // namespace kd

@@ -25,15 +25,8 @@ std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& i
 }
 
 std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& config, std::vector<std::string>& notes) {
-    std::vector<std::unique_ptr<RayMachine>> machines;
-    if (config.cpu) machines.push_back(cpu_machine(config.threads));
-    for (const ContextKind kind : config.contexts) {
-        try {
-            machines.push_back(gl_machine(kind));
-        } catch (const ContextError& error) {
-            notes.push_back(fmt::format("gl-fragment on {} not checked: {}", name_of(kind), error.what()));
-        }
-    }
+    std::vector<std::unique_ptr<RayMachine>> machines = gl_machines(config.contexts, "checked", notes);
+    if (config.cpu) machines.insert(machines.begin(), cpu_machine(config.threads));
     return machines;
 }
 

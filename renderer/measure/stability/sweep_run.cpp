@@ -58,14 +58,8 @@ class SweepRun {
 
     SweepRun(const SweepConfig& config, SweepReport& report, std::stop_token stop)
         : config_(config), report_(report), stop_(std::move(stop)) {
-        if (config.cpu) machines_.push_back(cpu_machine(config.threads));
-        for (const ContextKind kind : config.contexts) {
-            try {
-                machines_.push_back(gl_machine(kind));
-            } catch (const ContextError& error) {
-                report.notes.push_back(fmt::format("gl-fragment on {} not measured: {}", name_of(kind), error.what()));
-            }
-        }
+        machines_ = gl_machines(config.contexts, "measured", report.notes);
+        if (config.cpu) machines_.insert(machines_.begin(), cpu_machine(config.threads));
     }
 
     void measure(double value, SweepScene made) {
