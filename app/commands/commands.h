@@ -12,6 +12,7 @@ namespace kd {
 [[nodiscard]] Command stability_command();
 [[nodiscard]] Command stats_command();
 [[nodiscard]] Command bench_command();
+[[nodiscard]] Command errortime_command();
 [[nodiscard]] Command gallery_command();
 [[nodiscard]] Command info_command();
 

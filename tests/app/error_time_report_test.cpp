@@ -37,7 +37,7 @@ struct Images {
     FlatScene scene = scene_of("ball:300");
     KdTree tree = build_tree(scene.triangles, {});
     TriangleBoxes boxes{scene.triangles};
-    ImageTask task{scene, boxes, {}, {24, 24, 16, 128, 6, 0}, {}, 0, 1, 2};
+    ImageTask task{scene, boxes, {}, {24, 24, 16, 128, 6, 0}, {}, 0, 1, 0};
     Images() {
         for (const Traversal t : {Traversal::stack, Traversal::restart, Traversal::backtrack})
             task.methods.push_back(cpu_method(scene, tree, t, task.plan.width));

@@ -6,6 +6,7 @@
 
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/error_time/ranking.h"
+#include "renderer/measure/error_time/rounds.h"
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep.h"
 #include "renderer/measure/stability/sweep_judge.h"
@@ -14,7 +15,7 @@ namespace kd {
 
 namespace {
 
-constexpr int most_rounds = 9, least_rounds = 3;
+constexpr int least_rounds = 3, most_rounds = 9;
 
 struct Stopped {};
 
@@ -109,29 +110,28 @@ std::vector<HitRow> measure(const HitFamily& family, const HitTask& task, const 
     const Stage stage(family, task, stop);
     std::vector<HitAnswer> answers(stage.rays().size());
     std::vector<HitRow> rows;
-    std::vector<Contestant> contestants;
+    std::vector<std::function<double()>> contestants;
     const std::vector<HitMethod> methods = all_methods();
-    double once_ms = 0;
     for (const HitMethod& method : methods) {
         if (stop.stop_requested()) throw Stopped{};
-        const auto run = [&, method] {
-            if (stop.stop_requested()) throw Stopped{};
-            return wall_ms([&] { walk_rays(stage.scene(), method, stage.rays(), answers); });
-        };
-        once_ms += run();
+        walk_rays(stage.scene(), method, stage.rays(), answers);
         rows.push_back(stage.judge(method, answers));
         rows.back().family = family.id;
-        contestants.push_back({method.family_name(), run});
-        progress(0.5f * float(rows.size()) / float(methods.size()));
+        contestants.emplace_back(
+            [&, method] { return wall_ms([&] { walk_rays(stage.scene(), method, stage.rays(), answers); }); });
     }
-    const int rounds = std::clamp(int(1e3 * task.seconds_per_family / once_ms), least_rounds, most_rounds);
-    const std::vector<TimeSummary> times = time_interleaved(contestants, 0, rounds);
+    const auto between = [&](float done) {
+        if (stop.stop_requested()) throw Stopped{};
+        progress(done);
+    };
+    const auto times = time_rounds(contestants, {task.seconds_per_family, least_rounds, most_rounds}, between);
     const double ns = 1e6 / double(std::max<std::size_t>(stage.rays().size(), 1));
     std::vector<TimeAndError> all;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i].ns = ns * times[i].median_ms;
-        rows[i].quartiles = {ns * times[i].p25_ms, ns * times[i].p75_ms};
-        rows[i].rounds = times[i].samples;
+        const TimeSummary time = summarise(times[i]);
+        rows[i].ns = ns * time.median_ms;
+        rows[i].quartiles = {ns * time.p25_ms, ns * time.p75_ms};
+        rows[i].rounds = time.samples;
         all.push_back({rows[i].ns, rows[i].per_million()});
     }
     const std::vector<bool> front = pareto_front(all);

@@ -9,6 +9,7 @@
 #include "renderer/measure/error_time/flip.h"
 #include "renderer/measure/error_time/image_error.h"
 #include "renderer/measure/error_time/ranking.h"
+#include "renderer/measure/error_time/rounds.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
@@ -64,14 +65,17 @@ class ImageRun {
     }
 
     [[nodiscard]] std::vector<TimeSummary> time_frames() {
-        std::vector<Contestant> contestants;
+        std::vector<std::function<double()>> contestants;
         for (const ImageMethod& method : task_.methods)
-            contestants.push_back({method.machine, [&, this] {
-                                       check_stop();
-                                       return method.trace(camera_, colour_);
-                                   }});
-        tell(0.4f, "frames of all methods in turn");
-        return time_interleaved(contestants, 1, task_.rounds);
+            contestants.emplace_back([&, this] { return method.trace(camera_, colour_); });
+        const auto between = [this](float) {
+            check_stop();
+            tell(0.4f, "frames of all methods in turn");
+        };
+        std::vector<TimeSummary> frames;
+        for (auto& samples : time_rounds(contestants, {task_.frame_seconds}, between))
+            frames.push_back(summarise(std::move(samples)));
+        return frames;
     }
 
     void measure_sampler(Sampler sampler, const std::vector<TimeSummary>& frames, ImageReport& report) {

@@ -74,7 +74,7 @@ struct ImageTask {
     std::vector<ImageMethod> methods;  // the first traces the further sets as well: let it be the quickest
     int threads = 0;
     unsigned seed = 1;
-    int rounds = 15;  // frames timed, all methods in turn
+    double frame_seconds = 5;  // of timing frames, all methods in turn; at least five rounds all the same
 };
 
 /// `progress` gets the fraction done and what runs. Incomplete where stopped.

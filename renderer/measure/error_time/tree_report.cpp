@@ -6,6 +6,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/error_time/lines.h"
 #include "renderer/measure/error_time/ranking.h"
+#include "renderer/measure/error_time/rounds.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -13,18 +14,12 @@ namespace kd {
 namespace {
 
 constexpr std::array leaf_sizes{1, 2, 8};
-constexpr int least_rounds = 5, most_rounds = 31;
 constexpr std::string_view best_builder = "exact";
 
 struct Stopped {};
 
 void check(const std::stop_token& stop) {
     if (stop.stop_requested()) throw Stopped{};
-}
-
-/// Rounds of all contestants in turn that fit into `seconds`, where one takes `once_ms`.
-int rounds_for(double seconds, double once_ms) {
-    return std::clamp(int(1e3 * seconds / std::max(once_ms, 1e-3)), least_rounds, most_rounds);
 }
 
 double ratio(double a, double b) { return b > 0 ? a / b : 1; }
@@ -66,30 +61,27 @@ class TreeRun {
         return tree;
     }
 
-    /// The first round makes the rows and warms up.
     void time_builds() {
-        double once_ms = 0;
+        std::vector<std::function<double()>> contestants;
         for (const BuildConfig& config : configs_) {
-            tell(0.3f * float(trees_.size()) / float(2 * configs_.size()), "building " + config.builder);
             BuildReport built;
-            once_ms += wall_ms([&] { trees_.push_back(build(config, built)); });
+            tell(0, "building: " + config.builder);
+            trees_.push_back(build(config, built));
             TreeRow row;
             row.builder = config.builder;
             row.leaf_size = config.leaf_size;
             row.stats = tree_stats(trees_.back(), task_.scene.triangles.size(), config);
             row.cap_hit = built.reference_cap_hit;
             report_.rows.push_back(std::move(row));
+            contestants.emplace_back([&, this] {
+                BuildReport again;
+                (void)build(config, again);
+                return 1e3 * again.seconds;
+            });
         }
-        std::vector<Contestant> contestants;
-        for (const BuildConfig& config : configs_)
-            contestants.push_back({config.builder, [&, this] {
-                                       tell(0.2f, "timing builds: " + config.builder);
-                                       BuildReport built;
-                                       (void)build(config, built);
-                                       return 1e3 * built.seconds;
-                                   }});
-        const auto times = time_interleaved(contestants, 0, rounds_for(task_.build_seconds, once_ms));
-        for (std::size_t i = 0; i < times.size(); ++i) report_.rows[i].build = times[i];
+        const auto between = [this](float done) { tell(0.3f * done, "builds of all trees in turn"); };
+        const auto times = time_rounds(contestants, {task_.build_seconds}, between);
+        for (std::size_t i = 0; i < times.size(); ++i) report_.rows[i].build = summarise(times[i]);
     }
 
     void count_cells(std::size_t i, const PinholeCamera& camera) {
@@ -122,20 +114,15 @@ class TreeRun {
         TraceConfig plain = task_.trace;
         plain.counters = false;
         Frame frame(task_.width, task_.height);
-        const auto round = [&](std::vector<std::vector<double>>& samples) {
-            for (std::size_t i = 0; i < tracers.size(); ++i) {
-                check(stop_);
-                samples[i].push_back(
-                    wall_ms([&] { tracers[i].trace_frame(plain, camera, frame, task_.threads, stop_); }));
-            }
+        std::vector<std::function<double()>> contestants;
+        for (CpuTracer& tracer : tracers)
+            contestants.emplace_back(
+                [&] { return wall_ms([&] { tracer.trace_frame(plain, camera, frame, task_.threads, stop_); }); });
+        const auto between = [this](float done) {
+            check(stop_);
+            tell(0.6f + 0.4f * done, "frames of all trees in turn");
         };
-        frame_samples_.resize(tracers.size());
-        std::vector<std::vector<double>> warm(tracers.size());
-        const int rounds = rounds_for(task_.frame_seconds, wall_ms([&] { round(warm); }));
-        for (int r = 0; r < rounds; ++r) {
-            tell(0.6f + 0.4f * float(r) / float(rounds), "frames of all trees in turn");
-            round(frame_samples_);
-        }
+        frame_samples_ = time_rounds(contestants, {task_.frame_seconds}, between);
         for (std::size_t i = 0; i < tracers.size(); ++i) report_.rows[i].frame = summarise(frame_samples_[i]);
     }
 
