@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/engine_duel.h"
+#include "app/engine_paper.h"
 #include "app/engine_pixel.h"
 #include "app/engine_stability.h"
 #include "app/engine_world.h"
@@ -101,6 +102,7 @@ struct EngineState {
     GlStatus gl;
     DuelState duel;
     StabilityState stability;
+    PaperState paper;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

@@ -3,20 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
-#include <version.h>
+#include <sstream>
 
 #include "app/chart_files.h"
 #include "app/commands/commands.h"
 #include "app/error_time/error_time_page.h"
 #include "app/error_time/error_time_run.h"
 #include "app/idle_options.h"
-#include "app/machine_info.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "app/typed_options.h"
@@ -49,32 +46,6 @@ std::set<ErrorReport> parse_reports(std::string text) {
     }
     if (reports.empty()) refuse("it names no report; known: P1, P2, P3, P4");
     return reports;
-}
-
-std::string today() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &utc)};
-}
-
-std::vector<std::string> measured_on(const ErrorTimeResults& results) {
-    const Session& s = results.scenes.front().session;
-    std::vector<std::string> lines{
-        fmt::format("kdscope {} ({}), {}, seed {}", build::version, build::commit, today(), s.seed),
-        fmt::format("cpu: {}, steady clock", cpu_renderer(s.threads))};
-    for (const SceneErrorTime& scene : results.scenes)
-        for (const auto& [machine, renderer] : scene.renderers)
-            if (machine != name_of(TracerKind::cpu)) {
-                std::string clock;
-                if (scene.images)
-                    for (const ImageCurve& curve : scene.images->curves)
-                        if (curve.machine == machine) clock = curve.clock;
-                lines.push_back(fmt::format("{}: {}, {}", machine, renderer, clock));
-                return lines;
-            }
-    return lines;
 }
 
 ErrorTimeConfig complete(const ErrorTimeOptions& options) {
@@ -115,7 +86,7 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
             context.err << fmt::format("kdscope: note: {}: {} left out: {}\n", scene.session.scene,
                                        error_report_names[std::size_t(left.report)], left.why);
     if (!can_draw_charts()) context.err << fmt::format("kdscope: note: {}\n", no_gnuplot_text);
-    for (const std::string& name : write_error_time(options.folder, results, measured_on(results), context.stop))
+    for (const std::string& name : write_error_time(options.folder, results, context.stop))
         context.out << (fs::path(options.folder) / name).string() << '\n';
     return exit_ok;
 }

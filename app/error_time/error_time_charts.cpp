@@ -73,8 +73,8 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
     }
     if (measure == Measure::rmse && report.reference_rmse > 0)
         chart.lines.push_back({"the reference's own error", report.reference_rmse, false, Ink::grey, Stroke::dotted});
-    chart.note = fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; bars: middle half of the "
-                             "frames' times, 95 % of the error; rings: nothing is both quicker and nearer",
+    chart.note = fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; bars: middle half of "
+                             "times, 95 % of errors; rings: unbeaten in both",
                              report.plan.width, report.plan.height, report.plan.most_samples);
     fit_axes(chart);
     return chart;
@@ -196,7 +196,7 @@ Chart line_chart(const SceneErrorTime& scene) {
         point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
         curve->points.push_back(std::move(point));
     }
-    chart.note = "numbers: triangles up to which a node is made a leaf; bars (95 %) are narrower than the marks";
+    chart.note = "numbers: most triangles of a leaf; bars (95 %) are narrower than the marks";
     finish_prediction(chart);
     return chart;
 }
@@ -246,9 +246,8 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
         curve->points.push_back(std::move(point));
     }
     chart.lines.push_back({"the reference", 1, false});
-    chart.note =
-        "numbers: triangles up to which a node is made a leaf; bars: middle half of the rounds; rings: nothing "
-        "is both built sooner and traced sooner";
+    chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: nothing "
+                 "is both built sooner and traced sooner";
     fit_axes(chart);
     return chart;
 }

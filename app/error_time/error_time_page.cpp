@@ -58,9 +58,8 @@ std::string row_of(const Cells& cells, const char* tag) {
 
 class Page {
   public:
-    Page(std::filesystem::path folder, const ErrorTimeResults& results, std::vector<std::string> measured_on,
-         const std::stop_token& stop)
-        : folder_(std::move(folder)), results_(results), measured_on_(std::move(measured_on)), stop_(stop) {}
+    Page(std::filesystem::path folder, const ErrorTimeResults& results, const std::stop_token& stop)
+        : folder_(std::move(folder)), results_(results), measured_on_(results.on.lines()), stop_(stop) {}
 
     std::vector<std::string> write() {
         html_ = head;
@@ -302,7 +301,7 @@ class Page {
                  range(key + ": frame ratio", row.frame_ratio_interval.low, row.frame_ratio_interval.high, "{:.3f}"),
                  pays});
         }
-        table({"tree", "build ms", "middle half", "SAH / reference", "frame ms", "frame / reference", "middle half",
+        table({"tree", "build ms", "middle half", "SAH / reference", "frame ms", "frame / reference", "95 %",
                "reference pays from frame"},
               rows);
         html_ +=
@@ -323,8 +322,8 @@ class Page {
 }  // namespace
 
 std::vector<std::string> write_error_time(const std::filesystem::path& folder, const ErrorTimeResults& results,
-                                          const std::vector<std::string>& measured_on, const std::stop_token& stop) {
-    return Page(folder, results, measured_on, stop).write();
+                                          const std::stop_token& stop) {
+    return Page(folder, results, stop).write();
 }
 
 }  // namespace kd

@@ -11,8 +11,8 @@
 namespace kd {
 
 /// Writes index.html, the diagrams and all tables into `folder`, each file whole or not at all and the page last. Returns
-/// their names. `measured_on`: lines on machine, version and settings.
+/// their names. InputError, Interrupted.
 std::vector<std::string> write_error_time(const std::filesystem::path& folder, const ErrorTimeResults& results,
-                                          const std::vector<std::string>& measured_on, const std::stop_token& stop);
+                                          const std::stop_token& stop);
 
 }  // namespace kd

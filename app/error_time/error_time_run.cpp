@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/common_options.h"
 #include "app/frame_tracer.h"
+#include "app/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/double_path.h"
 #include "renderer/scene/needs.h"
@@ -43,10 +44,10 @@ struct Machines {
     std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> all;
 
     Machines(const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result) {
-        if (config.cpu) add(TracerKind::cpu, config, opened, tree, result);
+        if (config.cpu) add(TracerKind::cpu, config, opened, tree);
         if (!config.gl) return;
         try {
-            add(TracerKind::gl_fragment, config, opened, tree, result);
+            add(TracerKind::gl_fragment, config, opened, tree);
         } catch (const ContextError& error) {
             if (config.gl_demanded) throw;
             result.left_out.push_back({ErrorReport::p1, fmt::format("gl-fragment: {}", error.what())});
@@ -57,13 +58,9 @@ struct Machines {
     }
 
   private:
-    void add(TracerKind kind, const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree,
-             SceneErrorTime& result) {
+    void add(TracerKind kind, const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree) {
         const GlChoices gl{.context = config.context, .early_z = opened.session.early_z};
         all.emplace_back(kind, make_frame_tracer(kind, opened.scene, tree, opened.session.threads, gl));
-        const FrameTracer& tracer = *all.back().second;
-        result.renderers[std::string(name_of(kind))] =
-            tracer.renderer() + (tracer.software_gl() ? " (software, not a GPU)" : "");
     }
 };
 
@@ -138,6 +135,11 @@ class Run {
             for (const Traversal traversal : config_.traversals) add_method(kind, *tracer, traversal, side, task);
         task.plan = plan_images(0.85 * seconds, probe(task), probe_reference(task), probe_side * probe_side);
         *side = task.plan.width;
+        for (auto& [kind, tracer] : machines.all) {
+            for (ImageMethod& method : task.methods)
+                if (method.machine == name_of(kind)) method.clock = tracer->clock();
+            if (kind == TracerKind::gl_fragment) note_gl(*tracer);
+        }
         check();
         const auto told = [&](float done, const std::string& what) {
             progress(done, fmt::format("{}: {}", opened.session.scene, what));
@@ -152,12 +154,18 @@ class Run {
         config.traversal = traversal;
         config.counters = false;
         tracer.prepare(config, *side, *side);
-        task.methods.push_back({std::string(name_of(kind)), std::string(info(traversal).name), tracer.clock(),
+        task.methods.push_back({std::string(name_of(kind)), std::string(info(traversal).name), "",
                                 [&tracer, config, side, this](const PinholeCamera& camera, Image<Vec4>& colour) {
                                     const double ms = tracer.trace(config, camera, *side, *side, stop_).total_ms;
                                     colour = tracer.frame(config).colour;
                                     return ms;
                                 }});
+    }
+
+    /// Its clock is known once it has traced.
+    void note_gl(const FrameTracer& tracer) {
+        const Session& s = scenes_.front().session;
+        results_.on = measured_on(s.threads, s.seed, &tracer);
     }
 
     /// Wall clock of a small frame by each method, all that it takes; the second of two.
@@ -244,6 +252,7 @@ class Run {
     const std::vector<OpenedScene>& scenes_;
     const Progress& progress_;
     const std::stop_token& stop_;
+    ErrorTimeResults results_;
     double all_shares_ = 0, done_ = 0;
 };
 

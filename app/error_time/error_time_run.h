@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -14,6 +13,7 @@
 #include "renderer/measure/error_time/hit_report.h"
 #include "renderer/measure/error_time/image_report.h"
 #include "renderer/measure/error_time/tree_report.h"
+#include "renderer/measure/measured_on.h"
 
 namespace kd {
 
@@ -46,13 +46,13 @@ struct SceneErrorTime {
     std::optional<ImageReport> images;
     std::optional<TreeReport> trees;  // P3 and P4 share their trees
     std::vector<LeftOut> left_out;
-    std::map<std::string, std::string> renderers;  // by machine: "cpu" to its renderer's name and clock
 };
 
 struct ErrorTimeResults {
     ErrorTimeConfig config;
     std::vector<SceneErrorTime> scenes;
     std::optional<HitReport> hits;
+    MeasuredOn on;
     double seconds = 0;  // that all of it took
 };
 

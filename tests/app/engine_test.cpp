@@ -267,10 +267,10 @@ TEST(Engine, ARoundTimesPassesAndNamesItsClocks) {
     const DuelState& duel = engine.state().duel;
     for (const DuelRound& round : duel.rounds) {
         double sum = 0;
-        for (const double ms : round.pass_ms) sum += std::max(ms, 0.0);
-        EXPECT_GT(round.pass_ms[0], 0);
+        for (const double ms : round.gl.pass_ms) sum += std::max(ms, 0.0);
+        EXPECT_GT(round.gl.pass_ms[0], 0);
         EXPECT_GT(sum, 0);
-        EXPECT_LE(sum, round.gl_ms * (1 + 1e-9));
+        EXPECT_LE(sum, round.gl.ms * (1 + 1e-9));
     }
     for (const TimeSummary& time : {duel.cpu, duel.gl}) {
         EXPECT_EQ(time.samples, int(duel.rounds.size()));

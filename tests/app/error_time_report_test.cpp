@@ -183,7 +183,7 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
             EXPECT_NEAR(row.line_test_ratio(), 1, 0.05) << name << ' ' << row.name();
             EXPECT_LT(row.cost_per_ray[0], 3 * row.stats.sah_cost) << name << ' ' << row.name();
             EXPECT_GT(row.frame_ratio, 0);
-            EXPECT_GE(row.build.samples, 5);
+            EXPECT_GE(row.build.samples, 6);
         }
         EXPECT_EQ(report.rows[report.reference].sah_ratio, 1);
         ASSERT_TRUE(report.tau[0].has_value());

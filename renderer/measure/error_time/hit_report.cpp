@@ -6,7 +6,6 @@
 
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/error_time/ranking.h"
-#include "renderer/measure/error_time/rounds.h"
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep.h"
 #include "renderer/measure/stability/sweep_judge.h"
@@ -110,25 +109,25 @@ std::vector<HitRow> measure(const HitFamily& family, const HitTask& task, const 
     const Stage stage(family, task, stop);
     std::vector<HitAnswer> answers(stage.rays().size());
     std::vector<HitRow> rows;
-    std::vector<std::function<double()>> contestants;
+    std::vector<Contestant> contestants;
     const std::vector<HitMethod> methods = all_methods();
     for (const HitMethod& method : methods) {
         if (stop.stop_requested()) throw Stopped{};
         walk_rays(stage.scene(), method, stage.rays(), answers);
         rows.push_back(stage.judge(method, answers));
         rows.back().family = family.id;
-        contestants.emplace_back(
-            [&, method] { return wall_ms([&] { walk_rays(stage.scene(), method, stage.rays(), answers); }); });
+        contestants.push_back({method.family_name(), [&, method] {
+                                   if (stop.stop_requested()) throw Stopped{};
+                                   return TimeSample{
+                                       wall_ms([&] { walk_rays(stage.scene(), method, stage.rays(), answers); })};
+                               }});
     }
-    const auto between = [&](float done) {
-        if (stop.stop_requested()) throw Stopped{};
-        progress(done);
-    };
-    const auto times = time_rounds(contestants, {task.seconds_per_family, least_rounds, most_rounds}, between);
+    const auto round_done = [&](int rounds, const auto&) { progress(float(rounds) / float(most_rounds)); };
+    const auto times = time_in_turn(contestants, {0, most_rounds, task.seconds_per_family, least_rounds}, round_done);
     const double ns = 1e6 / double(std::max<std::size_t>(stage.rays().size(), 1));
     std::vector<TimeAndError> all;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const TimeSummary time = summarise(times[i]);
+        const TimeSummary time = times[i].total();
         rows[i].ns = ns * time.median_ms;
         rows[i].quartiles = {ns * time.p25_ms, ns * time.p75_ms};
         rows[i].rounds = time.samples;

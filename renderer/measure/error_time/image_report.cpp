@@ -9,7 +9,6 @@
 #include "renderer/measure/error_time/flip.h"
 #include "renderer/measure/error_time/image_error.h"
 #include "renderer/measure/error_time/ranking.h"
-#include "renderer/measure/error_time/rounds.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
@@ -65,16 +64,16 @@ class ImageRun {
     }
 
     [[nodiscard]] std::vector<TimeSummary> time_frames() {
-        std::vector<std::function<double()>> contestants;
+        std::vector<Contestant> contestants;
         for (const ImageMethod& method : task_.methods)
-            contestants.emplace_back([&, this] { return method.trace(camera_, colour_); });
-        const auto between = [this](float) {
-            check_stop();
-            tell(0.4f, "frames of all methods in turn");
-        };
+            contestants.push_back({method.machine, [&, this] {
+                                       check_stop();
+                                       tell(0.4f, "frames of all methods in turn");
+                                       return TimeSample{method.trace(camera_, colour_)};
+                                   }});
         std::vector<TimeSummary> frames;
-        for (auto& samples : time_rounds(contestants, {task_.frame_seconds}, between))
-            frames.push_back(summarise(std::move(samples)));
+        for (const TimedRounds& timed : time_in_turn(contestants, {1, 31, task_.frame_seconds, 5}))
+            frames.push_back(timed.total());
         return frames;
     }
 

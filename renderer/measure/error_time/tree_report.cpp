@@ -6,7 +6,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/error_time/lines.h"
 #include "renderer/measure/error_time/ranking.h"
-#include "renderer/measure/error_time/rounds.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -14,6 +14,7 @@ namespace kd {
 namespace {
 
 constexpr std::array leaf_sizes{1, 2, 8};
+constexpr int least_rounds = 6, most_rounds = 31;
 constexpr std::string_view best_builder = "exact";
 
 struct Stopped {};
@@ -62,7 +63,7 @@ class TreeRun {
     }
 
     void time_builds() {
-        std::vector<std::function<double()>> contestants;
+        std::vector<Contestant> contestants;
         for (const BuildConfig& config : configs_) {
             BuildReport built;
             tell(0, "building: " + config.builder);
@@ -73,15 +74,15 @@ class TreeRun {
             row.stats = tree_stats(trees_.back(), task_.scene.triangles.size(), config);
             row.cap_hit = built.reference_cap_hit;
             report_.rows.push_back(std::move(row));
-            contestants.emplace_back([&, this] {
-                BuildReport again;
-                (void)build(config, again);
-                return 1e3 * again.seconds;
-            });
+            contestants.push_back({config.builder, [&, this] {
+                                       tell(0.1f, "builds of all trees in turn");
+                                       BuildReport again;
+                                       (void)build(config, again);
+                                       return TimeSample{1e3 * again.seconds};
+                                   }});
         }
-        const auto between = [this](float done) { tell(0.3f * done, "builds of all trees in turn"); };
-        const auto times = time_rounds(contestants, {task_.build_seconds}, between);
-        for (std::size_t i = 0; i < times.size(); ++i) report_.rows[i].build = summarise(times[i]);
+        const auto timed = time_in_turn(contestants, {1, most_rounds, task_.build_seconds, least_rounds});
+        for (std::size_t i = 0; i < timed.size(); ++i) report_.rows[i].build = timed[i].total();
     }
 
     void count_cells(std::size_t i, const PinholeCamera& camera) {
@@ -114,16 +115,21 @@ class TreeRun {
         TraceConfig plain = task_.trace;
         plain.counters = false;
         Frame frame(task_.width, task_.height);
-        std::vector<std::function<double()>> contestants;
+        std::vector<Contestant> contestants;
         for (CpuTracer& tracer : tracers)
-            contestants.emplace_back(
-                [&] { return wall_ms([&] { tracer.trace_frame(plain, camera, frame, task_.threads, stop_); }); });
-        const auto between = [this](float done) {
-            check(stop_);
-            tell(0.6f + 0.4f * done, "frames of all trees in turn");
+            contestants.push_back({"", [&, this] {
+                                       check(stop_);
+                                       return TimeSample{wall_ms(
+                                           [&] { tracer.trace_frame(plain, camera, frame, task_.threads, stop_); })};
+                                   }});
+        const auto round_done = [this](int rounds, const auto&) {
+            tell(0.6f + 0.4f * float(rounds) / float(most_rounds), "frames of all trees in turn");
         };
-        frame_samples_ = time_rounds(contestants, {task_.frame_seconds}, between);
-        for (std::size_t i = 0; i < tracers.size(); ++i) report_.rows[i].frame = summarise(frame_samples_[i]);
+        const auto timed = time_in_turn(contestants, {1, most_rounds, task_.frame_seconds, least_rounds}, round_done);
+        for (std::size_t i = 0; i < timed.size(); ++i) {
+            report_.rows[i].frame = timed[i].total();
+            frame_samples_.push_back(timed[i].ms());
+        }
     }
 
     [[nodiscard]] std::size_t reference_row() const {
@@ -142,12 +148,9 @@ class TreeRun {
         for (std::size_t i = 0; i < report_.rows.size(); ++i) {
             TreeRow& row = report_.rows[i];
             row.sah_ratio = ratio(row.stats.sah_cost, best.stats.sah_cost);
-            std::vector<double> ratios;
-            for (std::size_t r = 0; r < frame_samples_[i].size(); ++r)
-                ratios.push_back(ratio(frame_samples_[i][r], frame_samples_[report_.reference][r]));
-            const TimeSummary spread = summarise(ratios);
-            row.frame_ratio = spread.median_ms;
-            row.frame_ratio_interval = {spread.p25_ms, spread.p75_ms};
+            const MedianInterval frames = ratio_interval(frame_samples_[i], frame_samples_[report_.reference]);
+            row.frame_ratio = frames.median;
+            row.frame_ratio_interval = {frames.low, frames.high};
             if (row.frame_ratio_interval.low > 1)
                 row.break_even_frames =
                     break_even(row.build.median_ms, row.frame.median_ms, best.build.median_ms, best.frame.median_ms);

@@ -23,7 +23,7 @@ struct TreeTask {
     TraceConfig trace;  // by the CPU
     int width = 192, height = 192;
     std::size_t lines = 200000;
-    double build_seconds = 20, frame_seconds = 20;  // of timing; at least five rounds all the same
+    double build_seconds = 20, frame_seconds = 20;  // of timing; at least six rounds all the same
     int threads = 0;
     unsigned seed = 1;
 };
@@ -41,9 +41,9 @@ struct TreeRow {
 
     // Against the reference:
     double sah_ratio = 1, frame_ratio = 1;
-    Interval frame_ratio_interval{1, 1};  // middle half of the rounds' ratios
-    /// Frames after which the reference's longer build has paid; none where it never does, or where the frames' middle
-    /// halves overlap, so that no difference is seen.
+    Interval frame_ratio_interval{1, 1};  // 95 %, of ratios taken round by round
+    /// Frames after which the reference's longer build has paid; none where it never does, or where the interval of
+    /// the ratio holds 1, so that no difference is seen.
     std::optional<double> break_even_frames;
     bool on_front = false;  // of build time and frame time
 
