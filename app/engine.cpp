@@ -132,7 +132,9 @@ bool Engine::poll() {
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
-    if (!duelling_) start_duel();
+    if (state_.world) convergence_.follow(configuration_shown());
+    if (!duelling_) start_sample();
+    if (!duelling_ && !convergence_.wants_sample()) start_duel();
     return news;
 }
 

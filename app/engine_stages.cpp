@@ -184,6 +184,7 @@ void Engine::note_gl(const GlStatus& gl) {
 
 void Engine::receive(TracedFrame traced) {
     traced_ = std::move(traced);
+    note_frame(traced_);
     start_paint();
 }
 
@@ -338,6 +339,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.gl_clock = reply.gl_clock;
     duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
+    note_rounds();
 }
 
 void Engine::stop_duel() {

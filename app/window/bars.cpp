@@ -87,6 +87,11 @@ void draw_modes(Edit& edit) {
                          "The paper's experiments made again: its figures as they are measured, a verdict on each "
                          "claim. Key Shift Y."))
         edits::switch_bottom(edit, "PAPER");
+    ImGui::SameLine(0, 1);
+    if (widgets::segment(
+            "Error", edit.window.panels && edit.window.bottom == "ERROR",
+            "Error against time while the picture is sampled, and the configurations tried so far. Key E."))
+        edits::switch_bottom(edit, "ERROR");
 }
 
 std::string machines_text(const EngineState& state) {

@@ -94,6 +94,13 @@ Json json_of(const PaperState& state, const PaperView& view) {
     return json;
 }
 
+Json json_of(const ConvergenceState& state) {
+    Json json{{"active", state.active}, {"samples", state.samples}, {"tried", state.tried.size()}};
+    for (const ConvergenceCurve& curve : state.curves)
+        json["curves"][curve.name()] = curve.points.empty() ? 0 : curve.points.back().rmse;
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -113,6 +120,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["paper"] = json_of(state.paper, edit.window.paper);
+    json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
     return json;
