@@ -190,7 +190,7 @@ std::size_t legend_columns(const Chart& chart, int width) {
     std::size_t longest = 1;
     for (const ChartCurve& curve : chart.curves) longest = std::max(longest, curve.name.size());
     for (const ChartLine& line : chart.lines) longest = std::max(longest, line.name.size());
-    return std::clamp<std::size_t>(std::size_t(width - 60) / (70 + 19 * longest / 2), 1, 4);
+    return std::clamp<std::size_t>(std::size_t(width - 60) / (60 + 8 * longest), 1, 4);
 }
 
 }  // namespace
