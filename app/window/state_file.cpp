@@ -97,7 +97,10 @@ Json json_of(const PaperState& state, const PaperView& view) {
 Json json_of(const ConvergenceState& state) {
     Json json{{"active", state.active}, {"samples", state.samples}, {"tried", state.tried.size()}};
     for (const ConvergenceCurve& curve : state.curves)
-        json["curves"][curve.name()] = curve.points.empty() ? 0 : curve.points.back().rmse;
+        if (!curve.points.empty())
+            json["curves"][curve.name()] = {{"points", curve.points.size()},
+                                            {"first", curve.points.front().rmse},
+                                            {"last", curve.points.back().rmse}};
     return json;
 }
 
