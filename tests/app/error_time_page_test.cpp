@@ -96,7 +96,9 @@ TEST(ErrorTimeCommand, InterruptedLeavesNoPage) {
 HitReport two_rows() {
     HitReport report;
     report.rays = 1000;
-    HitRow none{.family = "T15", .method = {}, .n = 1000};
+    HitRow none;
+    none.family = "T15";
+    none.n = 1000;
     none.upper95 = 0.003;
     none.ns = 500;
     none.quartiles = {490, 510};
