@@ -21,7 +21,7 @@ holds "$late < 0.8 * $early && $late > 0" || fail "the error went from $early to
 
 # Another traversal goes on with the same picture.
 press t
-wait_for '^settings.trace.traversal=restart$'
+wait_for '^settings.traversal=restart$'
 wait_for '^convergence.curves.independent, restart, cpu.points=' 60
 [[ -n $(value "convergence.curves.independent, stack, cpu.last") ]] || fail "the first curve is gone"
 click_on "ERROR/stop"
@@ -29,10 +29,10 @@ wait_for '^convergence.active=false$'
 wait_for '^convergence.tried=[2-9]'
 
 # The nearest point to the middle of the chart is one of those tried; undoing goes to where we were.
-before=$(value settings.trace.traversal)
+before=$(value settings.traversal)
 point_at "ERROR/tried" 0.5 && hold && let_go
 click_on "ERROR/undo click"
-wait_for "^settings.trace.traversal=$before\$"
+wait_for "^settings.traversal=$before\$"
 
 press shift+y
 wait_for '^bottom=PAPER$'
