@@ -129,9 +129,7 @@ Chart fault_chart(const HitReport& report, const HitFamily& family) {
     };
     Chart chart = hit_chart(report, family, "rays lost or wrong per million", fill);
     chart.note =
-        fmt::format("{}, and up to the 95 % bound; open: none seen, drawn at that bound; rings: nothing is both "
-                    "quicker and better",
-                    hit_note);
+        fmt::format("{}, up to the 95 % bound; open: none seen, at that bound; rings: unbeaten in both", hit_note);
     return chart;
 }
 

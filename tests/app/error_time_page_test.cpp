@@ -59,6 +59,9 @@ TEST(ErrorTimeCommand, QuickReportsOfASmallSceneAreWhole) {
                              "p1-ball-300-rmse-cpu.csv", "p3-ball-300-lines.csv", "p4-ball-300-frames.csv"})
         EXPECT_TRUE(fs::exists(out / name)) << name;
     EXPECT_FALSE(fs::exists(out / "p2.csv"));
+    const std::string table = read_file(out / "p1-ball-300.csv");
+    EXPECT_TRUE(std::regex_search(table, std::regex("# version: [0-9]"))) << table.substr(0, 500);
+    EXPECT_TRUE(std::regex_search(table, std::regex("# cpu: .")));
 }
 
 TEST(ErrorTimeCommand, WhatDoesNotApplyIsLeftOutAndSaid) {
