@@ -158,7 +158,8 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
     FrameTask task = task_of(request);
     if (counted_generation_ != request.generation || counted_width_ != reply.width) {
         const RayCounts counts = count_rays(request.world->scene(), request.world->tree, task.config, task.camera,
-                                            reply.width, reply.height);
+                                            reply.width, reply.height, stop);
+        if (stop.stop_requested()) return std::nullopt;
         rays_ = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
         counted_generation_ = request.generation;
         counted_width_ = reply.width;

@@ -41,6 +41,7 @@ struct WindowSettings {
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
     bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
+    std::string scene_text;                 // typed into SCENE, not opened yet
     std::string folder = ".";               // of exported files; "~" stands for the home folder
     float fly_speed = 1;                    // times the scene's size per 4 seconds
     std::vector<std::string> recent_files;  // scenes opened from files, newest first

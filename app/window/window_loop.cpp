@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <charconv>
@@ -30,7 +31,6 @@ namespace {
 constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
 constexpr double preview_wait_s = 0.03;
 constexpr int frames_after_input = 2;
-constexpr float double_click_s = 0.3f;
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -46,7 +46,7 @@ double exit_after_s() {
 
 WindowLoop& loop_of(GLFWwindow* window) { return *static_cast<WindowLoop*>(glfwGetWindowUserPointer(window)); }
 
-/// Those of Dear ImGui come from here too: keys wait for a frame that can take them.
+/// Those of Dear ImGui come from here too: keys and buttons wait for a frame that can take them.
 void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
     glfwSetWindowUserPointer(window, &loop);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
@@ -55,10 +55,8 @@ void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { loop_of(w).on_key({.character = character}); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("move"); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
-        loop_of(w).on_button();
-        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
-    });
+    glfwSetMouseButtonCallback(
+        window, [](GLFWwindow* w, int button, int action, int) { loop_of(w).on_button(button, action == GLFW_PRESS); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         loop_of(w).on_input("scroll");
         ImGui_ImplGlfw_ScrollCallback(w, x, y);
@@ -122,9 +120,22 @@ void WindowLoop::on_input(const char* kind) {
 
 void WindowLoop::on_key(const KeyEvent& event) { waiting_keys_.add(event); }
 
-void WindowLoop::on_button() {
+void WindowLoop::on_button(int button, bool down) {
     on_input("button");
     waiting_keys_.pause();
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_.handle(), &x, &y);
+    waiting_buttons_.add({button, down, float(x), float(y), engine_->now(), drawing_s_});
+}
+
+/// After the GLFW backend, which knows only what is down and where the mouse is now, and before the frame.
+void WindowLoop::take_buttons() {
+    const ButtonFrame frame = waiting_buttons_.take();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::copy(frame.down, io.MouseDown);
+    if (frame.change) io.MousePos = {frame.change->x, frame.change->y};
+    io.MouseDoubleClickTime = frame.second_of_two ? std::numeric_limits<float>::max() : 0;
+    if (!waiting_buttons_.empty()) lively_frames_ = frames_after_input;
 }
 
 void WindowLoop::take_keys() {
@@ -169,7 +180,11 @@ void WindowLoop::run(const std::stop_token& stop) {
         const EngineState& state = engine_->state();
         const bool moving =
             state.working() || state.stability.active || !state.messages.empty() || edit_.exporting.active;
-        if (lively_frames_ > 0 || moving) draw_frame();
+        if (lively_frames_ > 0 || moving) {
+            const double begun = engine_->now();
+            draw_frame();
+            drawing_s_ = engine_->now() - begun;
+        }
         --lively_frames_;
     }
 }
@@ -204,8 +219,7 @@ void WindowLoop::lay_out_frame() {
     take_keys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // Clicks are seen once per frame: a slow frame must not make two of a double click.
-    ImGui::GetIO().MouseDoubleClickTime = double_click_s + ImGui::GetIO().DeltaTime;
+    take_buttons();
     ImGui::NewFrame();
     const double now = engine_->now();
     const auto seconds = float(now - last_frame_);

@@ -119,6 +119,15 @@ TEST(RayCount, EqualsWhatTheFrameShows) {
     EXPECT_EQ(count_rays(scene, tree, config, camera, 48, 40), (RayCounts{48 * 40, 0, 0, 0}));
 }
 
+TEST(RayCount, EndsWhenStopped) {
+    const FlatScene scene = test::mirror_scene(300, 5);
+    const KdTree tree = build_tree(scene.triangles, {});
+    std::stop_source stop;
+    stop.request_stop();
+    const PinholeCamera camera = pinhole(scene.camera, 48, 40);
+    EXPECT_EQ(count_rays(scene, tree, {}, camera, 48, 40, stop.get_token()), RayCounts{});
+}
+
 ReferenceRays one_ray(Hit expected) { return {{Ray{Vec3(0), Vec3(0, 0, 1), 0.0f, 10.0f, -1}}, {expected}}; }
 
 VerifyRow compared(Hit expected, Hit found, int any_triangle) {
