@@ -69,7 +69,9 @@ void run_in_plane(CaseRun& run) {
         if (i % 3 == 0) o = flat.scene.triangles[i % flat.scene.triangles.size()].corner[0];
         rays.push_back(ray_along(o, d));
     }
-    run.check(flat, rays);
+    Expectation costly;  // they pass hundreds of cells each
+    costly.costly = true;
+    run.check(flat, rays, costly);
 
     const Subject tilted = run.subject(grid(Vec3(0.0f), {1, 0, 0.3f}, {0, 1, 0.7f}, 200, 200));
     const auto in_plane = [&] {
@@ -80,7 +82,7 @@ void run_in_plane(CaseRun& run) {
         const Vec3 o = in_plane();
         ray = ray_to(o, in_plane());
     }
-    run.check(tilted, rays);
+    run.check(tilted, rays, costly);
 
     Camera camera;
     camera.eye = {0.5f, -1, 0};

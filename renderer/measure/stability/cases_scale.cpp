@@ -105,7 +105,7 @@ bool all_finite(const KdTree& tree) {
 std::vector<Ray> rays_at_walls(Random& random, const FlatScene& scene, std::size_t count) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 from = scene.bounds.centre() + random_point(random, -0.3f, 0.3f) * scene.bounds.extent();
+        const Vec3 from = scene.bounds.centre() + random_point(random, -0.1f, 0.1f) * scene.bounds.extent();
         const Triangle& t = random_triangle(random, scene.triangles);
         const Vec3 middle = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0f;
         rays.push_back(ray_to(from, glm::mix(point_in(random, t), middle, 0.01f)));  // clear of the edges
