@@ -1,6 +1,6 @@
 #include "app/frame_summary.h"
 
-#include "renderer/measure/stability/stability.h"
+#include "renderer/trace/upper_bound.h"
 #include "viz/unfinished.h"
 
 namespace kd {

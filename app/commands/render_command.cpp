@@ -20,6 +20,7 @@
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
 #include "renderer/measure/ray_count.h"
+#include "renderer/trace/upper_bound.h"
 #include "viz/colormap.h"
 #include "viz/unfinished.h"
 
@@ -66,7 +67,7 @@ std::string verdict_text(const JudgedLayer& judged) {
         fmt::format("{} wrong of {} {} rays", judged.wrong(), judged.compared(), ray_names[std::size_t(judged.rays)]);
     text += wrong_text(judged.counts);
     if (judged.wrong() == 0 && judged.compared() > 0)
-        text += fmt::format("; 0 of n means below 3/n = {:.2g}", 3 / double(judged.compared()));
+        text += fmt::format("; 0 of n means below 3/n = {:.2g}", upper_bound_95(0, judged.compared()));
     return text;
 }
 

@@ -8,9 +8,9 @@
 #include <ostream>
 #include <set>
 
-#include "renderer/geometry/input_error.h"
 #include "tests/core/tree_checks.h"
 #include "tests/core/tree_samples.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scenes.h"
 
 namespace kd {
@@ -230,12 +230,7 @@ TEST(Build, DepthLimitFollowsTheConfig) {
 }
 
 std::string refusal(const BuildConfig& config, const std::vector<Triangle>& triangles = {}) {
-    try {
-        (void)build_tree(triangles, config);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { (void)build_tree(triangles, config); });
 }
 
 TEST(Build, RefusesConstantsOutOfRange) {

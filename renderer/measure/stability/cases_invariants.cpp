@@ -56,11 +56,10 @@ void run_renamed(CaseRun& run) {
     for (const Triangle& t : random_soup(400, 0.3f, run.random())) triangles.push_back(t);
     Camera camera;
     camera.eye = {1.7f, 0.9f, 2.3f};
-    const int size = run.long_run() ? 512 : 96;
+    const int size = run.side(512);
     const std::vector<Ray> rays = pixel_rays(pinhole(camera, size, size), size, size);
     const Subject subject = run.subject(triangles);
-    const std::vector<Hit> hits = brute_force(subject.scene, rays, run.threads(), run.stop());
-    run.check_stop();
+    const std::vector<Hit> hits = run.loop_hits(subject.scene, rays);
 
     Order order;
     std::vector<Triangle> renamed = triangles;
@@ -183,7 +182,7 @@ void run_on_bin_edges(CaseRun& run) {
         config.builder = builder.name;
         const Subject lattice = run.subject(shapes[1].triangles, config);
         std::vector<Ray> rays;
-        for (std::size_t i = 0; i < run.rays(20'000); ++i) {
+        for (std::size_t i = 0; i < run.rays(1'000'000, builders().size()); ++i) {
             const Vec3 from = glm::floor(random_point(run.random(), -8, 264));
             rays.push_back(ray_to(from, glm::floor(random_point(run.random(), 0, 256)) + 0.25f));
         }
