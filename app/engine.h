@@ -2,7 +2,7 @@
 //
 //   set_session() -> what changed -> scene -> tree -> frame -> picture
 //
-// Maps that compare with the oracle have a stage more, between frame and picture.
+// Maps that compare with the oracle, or look at walks in groups, have a stage more, between frame and picture.
 //
 // Each arrow is a background thread; a change redoes the work from where it enters, and until its result is there the
 // previous one stays. All member functions are called on one thread, the owner's.
@@ -102,7 +102,7 @@ class Engine {
     std::uint64_t trace_ticket_ = 0;      // of the trace started last
     std::uint64_t judge_ticket_ = 0;      // of the comparison started last
     std::shared_ptr<const Frame> judging_frame_;
-    Pass judging_rays_ = Pass::rt_prim;                                                // of it, that are compared
+    MapConfig judging_map_;                                                            // that needs something beside it
     std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0;  // written by the threads at work
     TraceRequest duel_failed_;   // its world and configuration cannot be timed
     std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to

@@ -26,7 +26,8 @@ namespace kd {
 struct TracedFrame {
     std::shared_ptr<const World> world;
     std::shared_ptr<const Frame> frame;
-    std::shared_ptr<const JudgedLayer> judged;  // of some or all pixels, where a map asked for it; else null
+    std::shared_ptr<const JudgedLayer> judged;   // of some or all pixels, where a map asked for it; else null
+    std::shared_ptr<const LockstepLayer> walks;  // likewise, always of all
     Camera camera;
     PinholeCamera lens;  // that its rays come from: a preview's is that of the whole picture, whatever its own shape
     TraceConfig config;
@@ -40,8 +41,10 @@ struct TracedFrame {
     UnfinishedPixels unfinished;   // of the frame's own pixels
 };
 
-/// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
-[[nodiscard]] inline bool is_judged_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+/// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch at
+/// least.
+[[nodiscard]] inline bool is_complete_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+    if (needs_walks(view)) return traced.walks && fits(*traced.walks, view.map);
     if (!needs_oracle(view)) return true;
     return traced.judged && traced.judged->rays == view.map.rays && (!all || traced.judged->step == 1);
 }
@@ -96,7 +99,7 @@ struct EngineState {
     Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
-    Progress judging;  // comparing the frame with double precision
+    Progress judging;  // making what a map needs beside the frame: its hits judged, its walks in groups
     std::string loading_name;
     GlStatus gl;
     DuelState duel;

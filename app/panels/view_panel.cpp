@@ -63,6 +63,12 @@ void draw_tiles(MapConfig& map) {
     widgets::slider("group width", map.tile_width, 1, 64, "%d px", "Pixels side by side that run in lockstep.");
     widgets::slider("group height", map.tile_height, 1, 64, "%d px",
                     "Pixels below each other that run in lockstep. 8 × 4 is a warp of 32.");
+    std::vector<widgets::Option> loops;
+    for (const ScheduleInfo& schedule : schedules())
+        loops.push_back({std::string(schedule.name), std::string(schedule.summary)});
+    int schedule = int(map.schedule);
+    if (widgets::choice("schedule", schedule, loops, "How a group shares its steps. Option --schedule."))
+        map.schedule = Schedule(schedule);
     // A group has 4 to 1024 lanes.
     map.tile_height =
         std::clamp(map.tile_height, (3 + map.tile_width) / map.tile_width, std::max(1, 1024 / map.tile_width));

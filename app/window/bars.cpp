@@ -133,7 +133,8 @@ void draw_work(const EngineState& state, Edit& edit) {
     const bool tracing = state.tracing.active;
     if (!building && !tracing && !state.judging.active) return;
     const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
-    const char* name = building ? "building" : tracing ? "refining" : "comparing";
+    const char* beside = needs_walks(state.session.view) ? "walking" : "comparing";
+    const char* name = building ? "building" : tracing ? "refining" : beside;
     ImGui::SameLine(0, theme::px(16));
     ImGui::SetNextItemWidth(theme::px(150));
     ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},

@@ -69,6 +69,17 @@ struct BallotTargets {
     }
 };
 
+/// Covers the picture with one triangle that needs no clipping: half of a square four times its size. A strip's diagonal cuts
+/// groups in two on llvmpipe. Where so large a viewport is not to be had, the strip it is.
+void draw_without_seam(const GlApi& gl, const GlVertexArray& no_vertices, int width, int height) {
+    std::array<GLint, 2> largest{};
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, largest.data());
+    const bool fits = 2 * width <= largest[0] && 2 * height <= largest[1];
+    gl.Viewport(0, 0, fits ? 2 * width : width, fits ? 2 * height : height);
+    gl.BindVertexArray(no_vertices.id());
+    gl.DrawArrays(fits ? GL_TRIANGLES : GL_TRIANGLE_STRIP, 0, fits ? 3 : 4);
+}
+
 void check_ballots(const BallotSupport& support, const TraceConfig& config, Schedule loop) {
     if (support.kind == BallotSupport::Kind::none)
         throw BallotError(
@@ -127,9 +138,8 @@ BallotLayer GlTracer::measure_ballots(const TraceConfig& config, Schedule loop, 
     t.scene().bind();
     table.bind(gl, Unit::rays);
     gl.BindFramebuffer(GL_FRAMEBUFFER, targets.framebuffer.id());
-    gl.Viewport(0, 0, width, height);
     gl.UseProgram(t.programs.get(ballot_key(t.settings_of(own), support, loop)).id());
-    t.draw_quad();
+    draw_without_seam(gl, t.no_vertices, width, height);
     BallotLayer layer = targets.read(gl, width, height);
     layer.tells_multiprocessors = support.multiprocessors;
     check_gl(gl, "counting lanes");

@@ -40,13 +40,13 @@ EfficiencySummary summarise_efficiency(std::span<const GroupTally> groups, int l
         all.steps += group.steps;
         all.iterations += group.iterations;
         efficiencies.emplace_back(group.efficiency(lanes), group.iterations);
-        all.mean += efficiencies.back().first;
     }
     if (efficiencies.empty()) return all;
     all.slots = all.iterations * std::uint64_t(lanes);
     all.weighted = double(all.steps) / double(all.slots);
-    all.mean /= double(all.groups);
     std::ranges::sort(efficiencies);
+    for (const Weighted& group : efficiencies) all.mean += group.first;  // in an order that does not hang on threads
+    all.mean /= double(all.groups);
     all.weighted_median = percentile(efficiencies, 0.5);
     all.weighted_p5 = percentile(efficiencies, 0.05);
     for (Weighted& group : efficiencies) group.second = 1;

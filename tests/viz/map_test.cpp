@@ -147,7 +147,8 @@ TEST(MapGolden, EveryMap) {
     for (const MapInfo& info : maps()) {
         const MapConfig config{.map = std::string(info.name)};
         const JudgedLayer judged = test::ball_judged();
-        const ScalarMap map = compute_map(test::ball_frame(), config, &judged);
+        const LockstepLayer walks = test::ball_walks();
+        const ScalarMap map = compute_map(test::ball_frame(), config, {&judged, &walks});
         const HeatmapConfig heat;
         const bool exact = info.kind != MapInfo::Kind::length;
         test::expect_golden(paint_map(map, heat, choose_range(map, heat)), "map_" + config.map,
