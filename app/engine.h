@@ -27,6 +27,7 @@ struct EngineOptions {
     OpenGl open_gl;              // called on the tracing thread; empty: no GPU
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
     bool duel = true;            // time CPU and GPU while idle
+    bool widths = false;         // measure efficiency against width while idle
 };
 
 class Engine {
@@ -54,6 +55,8 @@ class Engine {
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
     /// choice.
     void allow_duel(bool allowed, int scale = 0);
+    /// Measures efficiency against width of the rays shown, whenever the picture stays.
+    void keep_widths(bool wanted);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -85,6 +88,7 @@ class Engine {
     void start_duel();
     void receive(const DuelReply& reply);
     void stop_duel();
+    void start_widths();
     void read_probes();
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
@@ -113,6 +117,7 @@ class Engine {
 
     Mailbox mailbox_;
     StabilityBench stability_{mailbox_, state_.stability};
+    WidthBench widths_{mailbox_, state_.widths};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

@@ -300,7 +300,7 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.stability.active) return;  // it takes all processors
+    if (state_.stability.active || state_.widths.active) return;  // they take all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
@@ -355,6 +355,17 @@ void Engine::receive(const DuelReply& reply) {
     duel.gl_clock = reply.gl_clock;
     duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
+}
+
+/// Of the frame and the rays that the picture shows. A picture that changes is left alone.
+void Engine::start_widths() {
+    if (!options_.widths || !traced_.frame) return;
+    const Pass rays = state_.session.view.map.rays;
+    if (widths_.is_of(traced_, rays)) return;
+    widths_.cancel();
+    if (state_.stale() || state_.working() || traced_.scale != 1 || now() - last_input_ < quiet_before_duel_s) return;
+    stop_duel();
+    widths_.measure(traced_, rays, state_.session.threads);
 }
 
 void Engine::stop_duel() {

@@ -11,6 +11,7 @@
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
 #include "app/engine_stability.h"
+#include "app/engine_widths.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
@@ -26,8 +27,7 @@ namespace kd {
 struct TracedFrame {
     std::shared_ptr<const World> world;
     std::shared_ptr<const Frame> frame;
-    std::shared_ptr<const JudgedLayer> judged;   // of some or all pixels, where a map asked for it; else null
-    std::shared_ptr<const LockstepLayer> walks;  // likewise, always of all
+    std::shared_ptr<const JudgedLayer> judged;  // of some or all pixels, where a map asked for it; else null
     Camera camera;
     PinholeCamera lens;  // that its rays come from: a preview's is that of the whole picture, whatever its own shape
     TraceConfig config;
@@ -37,8 +37,9 @@ struct TracedFrame {
     std::string clock;  // that the time was read from
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
-    std::uint64_t generation = 0;  // EngineState::generation that it answers
-    UnfinishedPixels unfinished;   // of the frame's own pixels
+    std::uint64_t generation = 0;                // EngineState::generation that it answers
+    UnfinishedPixels unfinished;                 // of the frame's own pixels
+    std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
 };
 
 /// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch at
@@ -104,6 +105,7 @@ struct EngineState {
     GlStatus gl;
     DuelState duel;
     StabilityState stability;
+    WidthState widths;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

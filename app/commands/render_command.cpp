@@ -15,6 +15,7 @@
 #include "app/help_format.h"
 #include "app/idle_options.h"
 #include "app/output_file.h"
+#include "app/ray_choices.h"
 #include "app/rendering.h"
 #include "app/typed_options.h"
 #include "renderer/io/file.h"
@@ -33,13 +34,6 @@ struct RenderOptions : CommonOptions {
     bool see_through = false;
     bool no_legend = false;
 };
-
-/// Of its rays, as --rays takes it: "reflection-shadow".
-std::string option_name(Pass pass) {
-    std::string name(ray_names[std::size_t(pass)]);
-    std::ranges::replace(name, ' ', '-');
-    return name;
-}
 
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
@@ -198,10 +192,8 @@ void add_range(CLI::App& app, HeatmapConfig& heat) {
 void add_map_options(CLI::App& app, RenderOptions& o) {
     ViewConfig& view = o.session.view;
     view.heat.opacity = 1.0f;
-    std::vector<NamedValue<Pass>> rays;
-    for (int pass = 0; pass < pass_count; ++pass) rays.push_back({option_name(Pass(pass)), Pass(pass)});
     add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
-    add_choice(app, "--rays", view.map.rays, rays, "Whose numbers [primary]")->group("Map");
+    add_choice(app, "--rays", view.map.rays, ray_choices(), "Whose numbers [primary]")->group("Map");
     add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
     app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
     add_range(app, view.heat);

@@ -79,7 +79,7 @@ void draw_modes(Edit& edit) {
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
     ImGui::SameLine(0, theme::px(12));
-    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom != "TIME",
+    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom == "STABILITY",
                          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
         edits::switch_bottom(edit);
 }
