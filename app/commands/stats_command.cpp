@@ -168,6 +168,10 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot) {
 }
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
+    const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
+    check_uses(app, divergence, ballot);
+    if (ballot) return run_ballots(options, options.divergence, options.json, context);
+    if (divergence) return run_divergence(options, options.divergence, options.json, context);
     refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);

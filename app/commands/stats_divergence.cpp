@@ -17,6 +17,7 @@
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/camera.h"
+#include "renderer/scene/needs.h"
 
 namespace kd {
 

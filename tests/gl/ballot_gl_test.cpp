@@ -87,6 +87,7 @@ TEST_P(BallotGl, TheShaderTellsTheShapeOfItsGroups) {
     if (expected_width() > 0) {
         EXPECT_EQ(report.group_size, expected_width());
     }
+    EXPECT_GE(report.group_size, 4);
     EXPECT_EQ(report.tile_width * report.tile_height, report.group_size) << "groups are tiles of pixels";
     EXPECT_EQ(report.groups, 64 * 64 / report.group_size);
     EXPECT_EQ(report.rays, 64 * 64);
