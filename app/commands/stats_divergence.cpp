@@ -89,7 +89,7 @@ void print(std::ostream& out, const DivergenceReport& report) {
                      {"mean"},
                      {"median"},
                      {"worst 5 %"},
-                     {"lanes"},
+                     {"reading"},
                      {"nodes"},
                      {"sectors"},
                      {"lines"},
