@@ -37,8 +37,8 @@ struct TracedFrame {
     std::string clock;  // that the time was read from
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
-    std::uint64_t generation = 0;                // EngineState::generation that it answers
-    UnfinishedPixels unfinished;                 // of the frame's own pixels
+    std::uint64_t generation = 0;                     // EngineState::generation that it answers
+    UnfinishedPixels unfinished;                      // of the frame's own pixels
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
 };
 

@@ -67,7 +67,7 @@ class Rounds {
                     const std::size_t i = frame_.colour.index(x, y);
                     Round& round = rounds_[std::size_t(ray.round)];
                     round.rays[i] = ray_of(x, y, ray.round);
-                    round.phases[i] = ray.walk.phases();
+                    round.phases[i] = ray.phases;
                     round.there[i] = 1;
                 }
     }
@@ -127,12 +127,12 @@ class Comparison {
     void compare_groups() {
         for (const auto& [group, pixels] : groups_of(layer_)) {
             GroupTally measured;
-            std::vector<Phases> phases;
+            std::vector<const Phases*> phases;
             for (const std::size_t i : pixels) {
                 const LaneBallots& lane = layer_.lanes.pixels[i];
                 measured += {std::uint64_t(lane.led_lanes[0]) + lane.led_lanes[1],
                              std::uint64_t(lane.led[0]) + lane.led[1], lane.led[0]};
-                if (round_.there[i]) phases.push_back(round_.phases[i]);
+                if (round_.there[i]) phases.push_back(&round_.phases[i]);
             }
             if (!phases.empty()) add(pixels.front(), measured, run_phases(phases, task_.loop));
         }

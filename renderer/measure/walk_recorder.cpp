@@ -34,7 +34,7 @@ class WalkObserver : public NullObserver {
     }
     void on_exit(int) {
         const int round = surface_ < 0 ? int(rays.size()) : surface_ * lights + light_;
-        rays.push_back({round, std::exchange(walk_, {})});
+        rays.emplace_back(round, std::exchange(walk_, {}));
     }
 
   private:

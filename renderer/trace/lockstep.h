@@ -61,8 +61,8 @@ struct NodeReads {
     [[nodiscard]] double coherence() const;
 };
 
-/// One round: a lane's phases as Walk::phases() tells them. For Schedule::lockstep the lengths are summed only.
-[[nodiscard]] GroupTally run_phases(std::span<const std::vector<std::uint32_t>> lanes, Schedule schedule);
+/// One round: the lanes' phases as Walk::phases() tells them.
+[[nodiscard]] GroupTally run_phases(std::span<const std::vector<std::uint32_t>* const> lanes, Schedule schedule);
 
 /// A group of pixels; null and pixels without rays are idle lanes.
 [[nodiscard]] GroupTally run_group(std::span<const PixelWalks* const> lanes, Schedule schedule);

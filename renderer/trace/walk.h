@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kd {
@@ -40,6 +41,9 @@ class Walk {
 struct RayWalk {
     int round = 0;
     Walk walk;
+    std::vector<std::uint32_t> phases;  // of the walk
+
+    RayWalk(int in_round, Walk made) : round(in_round), walk(std::move(made)), phases(walk.phases()) {}
 };
 
 /// The rays that one pass traced for one pixel, by ascending round; none where it traced nothing.
