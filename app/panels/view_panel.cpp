@@ -70,7 +70,8 @@ void draw_tiles(Edit& edit) {
     int schedule = int(map.schedule);
     if (widgets::choice("schedule", schedule, loops, "How a group shares its steps. Option --schedule."))
         map.schedule = Schedule(schedule);
-    if (widgets::button("efficiency against width", "At the bottom: what wider and wider groups lose. Again: times."))
+    if (widgets::button("efficiency against width",
+                        "At the bottom: what wider and wider groups lose. Again: times. Key Shift D."))
         edits::switch_widths(edit);
     // A group has 4 to 1024 lanes.
     map.tile_height =
