@@ -118,12 +118,18 @@ void Engine::allow_duel(bool allowed, int scale) {
     if (!allowed) stop_duel();
 }
 
+void Engine::keep_widths(bool wanted) {
+    options_.widths = wanted;
+    if (!wanted) widths_.cancel();
+}
+
 bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
+    start_widths();
     if (!duelling_) start_duel();
     return news;
 }

@@ -11,6 +11,7 @@
 #include "app/engine_duel.h"
 #include "app/engine_pixel.h"
 #include "app/engine_stability.h"
+#include "app/engine_widths.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
@@ -36,12 +37,15 @@ struct TracedFrame {
     std::string clock;  // that the time was read from
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
-    std::uint64_t generation = 0;  // EngineState::generation that it answers
-    UnfinishedPixels unfinished;   // of the frame's own pixels
+    std::uint64_t generation = 0;                     // EngineState::generation that it answers
+    UnfinishedPixels unfinished;                      // of the frame's own pixels
+    std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
 };
 
-/// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
-[[nodiscard]] inline bool is_judged_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+/// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch at
+/// least.
+[[nodiscard]] inline bool is_complete_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+    if (needs_walks(view)) return traced.walks && fits(*traced.walks, view.map);
     if (!needs_oracle(view)) return true;
     return traced.judged && traced.judged->rays == view.map.rays && (!all || traced.judged->step == 1);
 }
@@ -96,11 +100,12 @@ struct EngineState {
     Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
-    Progress judging;  // comparing the frame with double precision
+    Progress judging;  // making what a map needs beside the frame: its hits judged, its walks in groups
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
     StabilityState stability;
+    WidthState widths;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

@@ -56,6 +56,7 @@ Json json_of(const ViewConfig& view) {
                        {"rays", json_key(ray_names[std::size_t(view.map.rays)])},
                        {"tile_width", view.map.tile_width},
                        {"tile_height", view.map.tile_height},
+                       {"schedule", info(view.map.schedule).name},
                        {"colormap", heat.colormap},
                        {"log", heat.logarithmic},
                        {"opacity", json_number(heat.opacity)}};

@@ -3,6 +3,7 @@
 #include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "renderer/measure/frame_judge.h"
+#include "renderer/measure/frame_walks.h"
 #include "renderer/scene/needs.h"
 #include "viz/figure.h"
 
@@ -38,6 +39,19 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
                                show("comparing with double precision"));
         if (!r.judged) throw Interrupted();
     }
+    if (needs_walks(s.view)) {
+        const MapConfig& map = s.view.map;
+        r.walks = walk_frame({.scene = r.scene,
+                              .tree = r.tree,
+                              .config = s.trace,
+                              .camera = camera,
+                              .width = s.width,
+                              .height = s.height,
+                              .rays = map.rays,
+                              .threads = s.threads},
+                             map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
+        if (!r.walks) throw Interrupted();
+    }
     return r;
 }
 
@@ -62,10 +76,9 @@ void write_picture(const std::string& path, const Rendering& r, const ViewConfig
     const std::string title = title_of(r.session.scene, view);
     const std::string caption = caption_of(facts_of(r));
     const bool bare = !legend || (!view.show_map && !view.overlay.show);
-    const JudgedLayer* judged = r.judged ? &*r.judged : nullptr;
     const Image<Rgba8> image =
-        bare ? make_picture(r.frame, r.tree, r.scene.camera, view, judged)
-             : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, judged);
+        bare ? make_picture(r.frame, r.tree, r.scene.camera, view, beside(r))
+             : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, beside(r));
     write_png(path, image, png_text(title, caption, in_scene_units(r.session, r.scene), view));
 }
 

@@ -15,6 +15,7 @@
 #include "app/help_format.h"
 #include "app/idle_options.h"
 #include "app/output_file.h"
+#include "app/ray_choices.h"
 #include "app/rendering.h"
 #include "app/typed_options.h"
 #include "renderer/io/file.h"
@@ -34,13 +35,6 @@ struct RenderOptions : CommonOptions {
     bool see_through = false;
     bool no_legend = false;
 };
-
-/// Of its rays, as --rays takes it: "reflection-shadow".
-std::string option_name(Pass pass) {
-    std::string name(ray_names[std::size_t(pass)]);
-    std::ranges::replace(name, ' ', '-');
-    return name;
-}
 
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
@@ -92,12 +86,16 @@ void print(std::ostream& out, const Rendering& r) {
     if (r.judged) out << "oracle    " << verdict_text(*r.judged) << '\n';
 }
 
+std::string no_groups(const MapInfo& map) {
+    return fmt::format("the map '{}' looks at single pixels; --map divergence and idle look at groups", map.name);
+}
+
 /// Options of maps and splits need one, and some maps take none of them.
 void check_uses(const CLI::App& app, const RenderOptions& o, const Session& session, const CommandContext& context) {
     const ViewConfig& view = session.view;
     const MapInfo* map = view.show_map ? find_map(view.map.map) : nullptr;
     const std::string no_map = "no map is drawn; add --map NAME";
-    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile"})
+    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile", "--schedule"})
         refuse_idle(app, {{option, map != nullptr, no_map}});
     const std::string no_splits = "no splits are drawn; add --overlay";
     refuse_idle(app,
@@ -112,10 +110,8 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
                                        map->name)},
                           {"--range", numbers, categories},
                           {"--colormap", numbers, categories},
-                          {"--tile", map->over_tiles(),
-                           fmt::format("the map '{}' looks at single pixels; --map "
-                                       "divergence and idle look at groups",
-                                       map->name)}});
+                          {"--tile", map->over_tiles(), no_groups(*map)},
+                          {"--schedule", map->over_tiles(), no_groups(*map)}});
     }
     const bool shadow = view.map.rays == Pass::shade_prim || view.map.rays == Pass::shade_refl;
     const bool reflection = view.map.rays == Pass::rt_refl || view.map.rays == Pass::shade_refl;
@@ -197,19 +193,20 @@ void add_range(CLI::App& app, HeatmapConfig& heat) {
 void add_map_options(CLI::App& app, RenderOptions& o) {
     ViewConfig& view = o.session.view;
     view.heat.opacity = 1.0f;
-    std::vector<NamedValue<Pass>> rays;
-    for (int pass = 0; pass < pass_count; ++pass) rays.push_back({option_name(Pass(pass)), Pass(pass)});
     add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
-    add_choice(app, "--rays", view.map.rays, rays, "Whose numbers [primary]")->group("Map");
+    add_choice(app, "--rays", view.map.rays, ray_choices(), "Whose numbers [primary]")->group("Map");
     add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
     app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
     add_range(app, view.heat);
     add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")
         ->group("Map");
     add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, 1, 1024,
-             fmt::format("Pixels that run in lockstep, for divergence and idle [{}x{}]", view.map.tile_width,
+             fmt::format("Pixels that run in lockstep, for maps of groups [{}x{}]", view.map.tile_width,
                          view.map.tile_height));
     app.get_option("--tile")->group("Map");
+    std::vector<NamedValue<Schedule>> loops;
+    for (const ScheduleInfo& schedule : schedules()) loops.push_back({std::string(schedule.name), schedule.id});
+    add_choice(app, "--schedule", view.map.schedule, loops, "How groups share their steps [lockstep]")->group("Map");
     app.add_flag("--overlay", view.overlay.show, "Draws the tree's splits over the image")->group("Overlay");
     add_number<int>(app, "--overlay-depth", view.overlay.max_depth, 0, max_tree_depth,
                     fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
@@ -254,6 +251,7 @@ Command render_command() {
                 "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
                 "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
                 "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n"
+                "  kdscope render rooms -o idle.png --map idle --schedule while-while --traversal restart\n"
                 "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n",
             declare};
 }

@@ -104,7 +104,12 @@ void choose_scene(Edit& edit, const std::string& scene) {
 
 void switch_bottom(Edit& edit) {
     std::string& bottom = edit.window.bottom;
-    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+    bottom = bottom == "STABILITY" ? "TIME" : "STABILITY";
+}
+
+void switch_widths(Edit& edit) {
+    std::string& bottom = edit.window.bottom;
+    bottom = bottom == divergence_panel ? "TIME" : divergence_panel;
 }
 
 void show_stress(Edit& edit, const std::string& scene) {

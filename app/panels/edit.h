@@ -79,6 +79,9 @@ struct Edit {
 
 inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
 
+/// The bottom panel that has efficiency against width measured while it is shown.
+inline constexpr const char* divergence_panel = "DIVERGENCE";
+
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
 
@@ -102,6 +105,8 @@ void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
 /// STABILITY at the bottom, or TIME again.
 void switch_bottom(Edit& edit);
+/// Efficiency against width at the bottom, or TIME again.
+void switch_widths(Edit& edit);
 /// A scene of the case chosen in STABILITY; the one before it is kept in mind.
 void show_stress(Edit& edit, const std::string& scene);
 void leave_stress(Edit& edit);

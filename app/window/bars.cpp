@@ -79,7 +79,7 @@ void draw_modes(Edit& edit) {
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
     ImGui::SameLine(0, theme::px(12));
-    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom != "TIME",
+    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom == "STABILITY",
                          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
         edits::switch_bottom(edit);
 }
@@ -133,7 +133,8 @@ void draw_work(const EngineState& state, Edit& edit) {
     const bool tracing = state.tracing.active;
     if (!building && !tracing && !state.judging.active) return;
     const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
-    const char* name = building ? "building" : tracing ? "refining" : "comparing";
+    const char* beside = needs_walks(state.session.view) ? "walking" : "comparing";
+    const char* name = building ? "building" : tracing ? "refining" : beside;
     ImGui::SameLine(0, theme::px(16));
     ImGui::SetNextItemWidth(theme::px(150));
     ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},

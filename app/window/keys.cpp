@@ -52,6 +52,8 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_H, plain, "H", see, "heatmap on or off", [](State, Edit& e) { toggle_heat(e); }},
     {GLFW_KEY_D, plain, "D", see, "divergence of SIMD groups, and back",
      [](State, Edit& e) { edits::toggle_divergence(e); }},
+    {GLFW_KEY_D, GLFW_MOD_SHIFT, "Shift D", see, "efficiency against width, or times",
+     [](State, Edit& e) { edits::switch_widths(e); }},
     {GLFW_KEY_S, plain, "S", see, "splits on or off",
      [](State, Edit& e) { e.session.view.overlay.show = !e.session.view.overlay.show; }},
     {GLFW_KEY_Y, plain, "Y", see, "stability cases, or times", [](State, Edit& e) { edits::switch_bottom(e); }},

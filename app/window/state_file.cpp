@@ -83,6 +83,20 @@ Json json_of(const StabilityState& state, const StabilityView& view) {
     return json;
 }
 
+/// What DIVERGENCE shows: the ends of its curve under while-while.
+Json json_of(const WidthState& state) {
+    Json json{{"active", state.active}, {"outdated", state.outdated}, {"error", state.error}};
+    if (!state.report) return json;
+    json["points"] = state.report->points.size();
+    json["overhead"] = state.report->overhead;
+    const auto efficiency = [](const DivergencePoint& point) {
+        return point.by_schedule[std::size_t(Schedule::while_while)].weighted;
+    };
+    json["narrowest"] = efficiency(state.report->points.front());
+    json["widest"] = efficiency(state.report->points.back());
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -103,6 +117,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["pinned"] = json_of(state.pinned);
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
+    json["widths"] = json_of(state.widths);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
     return json;

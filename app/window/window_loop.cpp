@@ -311,6 +311,7 @@ void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
     engine_->set_probes(edit_.hovered, edit_.window.pinned);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
+    engine_->keep_widths(edit_.window.panels && edit_.window.bottom == divergence_panel);
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
         recent_world_ = world;
         add_recent(edit_.window.recent_files, world->loaded->name);
@@ -401,12 +402,10 @@ Image<Rgba8> WindowLoop::read_window() const {
     Image<Rgba8> upside_down(width, height);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels.data());
+    for (Rgba8& pixel : upside_down.pixels) pixel.a = 255;
     Image<Rgba8> image(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            image.at(x, y) = upside_down.at(x, height - 1 - y);
-            image.at(x, y).a = 255;
-        }
+        for (int x = 0; x < width; ++x) image.at(x, y) = upside_down.at(x, height - 1 - y);
     return image;
 }
 

@@ -77,7 +77,10 @@ class Kernel {
         const Rgba8 c = view.scene->textures[std::size_t(texture)].at(x, y);
         return real3(c.r, c.g, c.b) / real(255);
     }
-    Light fetch_light(int index) const { return view.scene->lights[std::size_t(index)]; }
+    Light fetch_light(int index) const {
+        if constexpr (requires { observer->on_light(index); }) observer->on_light(index);
+        return view.scene->lights[std::size_t(index)];
+    }
     int light_count() const { return int(view.scene->lights.size()); }
     int triangle_count() const { return int(view.scene->triangles.size()); }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gl/ballots.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/gl_error.h"
 #include "renderer/kdtree/tree.h"
@@ -67,6 +68,11 @@ class GlTracer {
     /// Traces arbitrary rays with the RTPrim program fed from a texture. `counters` as in CpuTracer::trace_rays.
     void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters);
+
+    /// Walks the rays of a width x height picture, one per pixel in rows, by a loop that counts its own lanes.
+    /// BallotError where the driver has no ballots or `config` no such loop.
+    [[nodiscard]] BallotLayer measure_ballots(const TraceConfig& config, Schedule loop, std::span<const Ray> rays,
+                                              bool any_hit, int width, int height);
 
     /// Whether quotients and roots are corrected to the nearest number (shaders/shared/rounding.glsl): on hardware they are
     /// unless told otherwise, and hits and counters then equal the CPU's.
