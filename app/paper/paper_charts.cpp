@@ -325,11 +325,12 @@ PaperFigure budgets(const PaperResults& r) {
     chart.note = "a pixel counts where one of its rays was given up; open marks: none";
     fit_from_zero(chart.y, heights_of(chart.curves));
     set_ticks(chart.y, percent_of);
-    return {"loop-ceiling",
-            "Loop ceiling",
-            "What shaders of 2006 would have left unfinished had the whole walk been one loop with this counter.",
-            chart,
-            {}};
+    return {
+        "loop-ceiling",
+        "Loop ceiling",
+        "What the shaders of the paper would have left unfinished had the whole walk been one loop with this counter.",
+        chart,
+        {}};
 }
 
 PaperFigure passes(const PaperResults& r) {

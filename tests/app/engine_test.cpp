@@ -250,7 +250,7 @@ TEST(Engine, MeasuresTheSameFrameAgainAndAgainWhileIdle) {
     EXPECT_EQ(duel.width, 64);
     EXPECT_EQ(duel.cpu.samples, int(duel.rounds.size()));
     EXPECT_GT(duel.cpu.median_ms, 0);
-    EXPECT_LT(duel.rounds.back().gl_ms, 0) << "no GPU here";
+    EXPECT_LT(duel.rounds.back().gl.ms, 0) << "no GPU here";
     EXPECT_GE(duel.rays, 64 * 48);
     engine.note_input();
     EXPECT_FALSE(engine.state().duel.running);
