@@ -4,21 +4,13 @@
 #include <fmt/format.h>
 
 #include "viz/chart_script.h"
+#include "viz/text.h"
 
 namespace kd {
 
-namespace {
-
-/// Code points of UTF-8.
-std::size_t letters(const std::string& text) {
-    return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-}  // namespace
-
 ScriptLegend::ScriptLegend(std::vector<LegendEntry> entries, int width) : entries_(std::move(entries)), width_(width) {
     std::size_t longest = 1;
-    for (const LegendEntry& e : entries_) longest = std::max(longest, letters(e.name));
+    for (const LegendEntry& e : entries_) longest = std::max(longest, decode_utf8(e.name).size());
     column_ = sample + 26 + int(7.6 * double(longest));
     columns_ = std::clamp((width - 40) / column_, 1, std::max(1, int(entries_.size())));
     rows_ = (int(entries_.size()) + columns_ - 1) / columns_;

@@ -131,7 +131,7 @@ class PaperRun {
     }
 
     /// Of a frame: what is affordable in turn with the others.
-    [[nodiscard]] double naive_limit_ms() const { return 10 * config_.budget_s; }
+    [[nodiscard]] double naive_limit_ms() const { return std::max(200.0, 10 * config_.budget_s); }
 
     void note_once(const std::string& note) {
         if (std::ranges::find(results_.notes, note) == results_.notes.end()) results_.notes.push_back(note);
@@ -156,8 +156,8 @@ class PaperRun {
             trace.traversal = method.traversal;
             trace.counters = false;
             if (method.id == PaperMethod::naive && !affordable(stage, trace)) {
-                note_once(fmt::format("CPU naive is left out where a frame of it would take longer than {:.1f} s",
-                                      1e-3 * naive_limit_ms()));
+                note_once(fmt::format("CPU naive is left out where a frame of it would take longer than {:.0f} ms",
+                                      naive_limit_ms()));
                 continue;
             }
             prepare(scene, stage, method, *tracer, trace);
