@@ -103,6 +103,14 @@ void Engine::run_sweep(const std::string& id) {
     stability_.run_sweep(config);
 }
 
+void Engine::run_paper(bool quick) {
+    stop_duel();
+    PaperConfig config = paper_config(quick);
+    config.base.seed = state_.session.seed;
+    config.gpu = bool(options_.open_gl);
+    paper_.start(config);
+}
+
 void Engine::note_input() {
     last_input_ = now();
     stop_duel();

@@ -50,6 +50,9 @@ class Engine {
     /// The same with its sweep, by the session's traversal.
     void run_sweep(const std::string& id);
     void cancel_stability() { stability_.cancel(); }
+    /// Makes the paper's experiments in the background; while they run nothing else is timed.
+    void run_paper(bool quick);
+    void cancel_paper() { paper_.cancel(); }
     /// A person did something: no duel for a while.
     void note_input();
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
@@ -118,6 +121,7 @@ class Engine {
     Mailbox mailbox_;
     StabilityBench stability_{mailbox_, state_.stability};
     WidthBench widths_{mailbox_, state_.widths};
+    PaperBench paper_{mailbox_, state_.paper};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

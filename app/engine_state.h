@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/engine_duel.h"
+#include "app/engine_paper.h"
 #include "app/engine_pixel.h"
 #include "app/engine_stability.h"
 #include "app/engine_widths.h"
@@ -106,6 +107,7 @@ struct EngineState {
     DuelState duel;
     StabilityState stability;
     WidthState widths;
+    PaperState paper;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

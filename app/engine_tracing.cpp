@@ -174,13 +174,12 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
     };
     const FrameTime cpu = time(source(TracerKind::cpu));
     if (!cpu.complete) return std::nullopt;
-    reply.round.cpu_ms = cpu.total_ms;
+    reply.round.cpu = cpu.sample();
     reply.cpu_clock = cpu_->clock();
     if (open().available()) {
         const FrameTime gl = time(source(TracerKind::gl_fragment));
         if (!gl.complete) return std::nullopt;
-        reply.round.gl_ms = gl.total_ms;
-        reply.round.pass_ms = gl.pass_ms;
+        reply.round.gl = gl.sample();
         reply.gl_clock = gl_->clock();
     }
     return reply;

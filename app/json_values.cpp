@@ -133,6 +133,26 @@ Json json_of(const CounterTotals& c) {
             {"stack_depth", c.stack_depth}};
 }
 
+Json json_of(const TimeSummary& time) {
+    if (time.samples == 0) return nullptr;
+    return {{"median", time.median_ms}, {"p25", time.p25_ms}, {"p75", time.p75_ms}, {"samples", time.samples}};
+}
+
+Json json_of(const MedianInterval& value) {
+    if (value.samples == 0) return nullptr;
+    return {{"median", value.median},
+            {"low", value.low},
+            {"high", value.high},
+            {"confidence", value.confidence},
+            {"samples", value.samples}};
+}
+
+Json json_of(const MeasuredOn& on) {
+    Json json;
+    for (const auto& [name, value] : on.facts()) json[name] = value;
+    return json;
+}
+
 std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {
     std::array<CounterTotals, pass_count> totals;
     for (std::size_t pass = 0; pass < pass_count; ++pass) {

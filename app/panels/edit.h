@@ -10,6 +10,8 @@
 
 namespace kd {
 
+class Engine;  // app/engine.h
+
 /// Where the legend lies over the picture.
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
@@ -25,6 +27,12 @@ struct StabilityView {
     int row = -1;              // of the verdicts whose reason is shown; none below 0
     std::string scene_before;  // that a case's scene took the place of
     std::optional<Camera> camera_before;
+};
+
+/// What a person looks at in PAPER.
+struct PaperView {
+    std::string figure;     // by name; the first where there is none such
+    bool verdicts = false;  // rather than a figure
 };
 
 /// What a person has chosen about the window rather than about the picture.
@@ -48,6 +56,7 @@ struct WindowSettings {
     int timing_scale = 0;                   // of the frames timed: 0 = chosen by the program, 1 = every pixel, 2 = half
     std::string bottom = "TIME";            // the panel shown at the bottom
     StabilityView stability;
+    PaperView paper;
 };
 
 enum class Action {
@@ -64,6 +73,9 @@ enum class Action {
     run_case,      // of STABILITY
     run_sweep,
     cancel_stability,
+    run_paper,        // of PAPER
+    run_paper_quick,  // small pictures, few rounds
+    cancel_paper,
 };
 
 struct Edit {
@@ -103,10 +115,8 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
-/// STABILITY at the bottom, or TIME again.
-void switch_bottom(Edit& edit);
-/// Efficiency against width at the bottom, or TIME again.
-void switch_widths(Edit& edit);
+/// That panel at the bottom, or TIME again.
+void switch_bottom(Edit& edit, const std::string& panel);
 /// A scene of the case chosen in STABILITY; the one before it is kept in mind.
 void show_stress(Edit& edit, const std::string& scene);
 void leave_stress(Edit& edit);
@@ -129,6 +139,8 @@ void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
 /// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
 void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
+/// Does what is the engine's to do; false where it is not.
+[[nodiscard]] bool carry_out(Action action, const Edit& edit, Engine& engine);
 /// Puts the orbit centre where the pinned or hovered pixel's ray hit.
 void focus(const EngineState& state, Edit& edit);
 }  // namespace edits

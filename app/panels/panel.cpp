@@ -12,6 +12,7 @@ void draw_export_panel(const EngineState& state, Edit& edit);
 void draw_time_panel(const EngineState& state, Edit& edit);
 void draw_stability_panel(const EngineState& state, Edit& edit);
 void draw_divergence_panel(const EngineState& state, Edit& edit);
+void draw_paper_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
@@ -24,6 +25,7 @@ std::span<const Panel> panels() {
         {"TIME", PanelPlace::bottom, 0, draw_time_panel},
         {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel, true},
         {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel, true},
+        {"PAPER", PanelPlace::bottom, 0, draw_paper_panel, true},
     };
     return table;
 }

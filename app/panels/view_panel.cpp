@@ -72,7 +72,7 @@ void draw_tiles(Edit& edit) {
         map.schedule = Schedule(schedule);
     if (widgets::button("efficiency against width",
                         "At the bottom: what wider and wider groups lose. Again: times. Key Shift D."))
-        edits::switch_widths(edit);
+        edits::switch_bottom(edit, divergence_panel);
     // A group has 4 to 1024 lanes.
     map.tile_height =
         std::clamp(map.tile_height, (3 + map.tile_width) / map.tile_width, std::max(1, 1024 / map.tile_width));

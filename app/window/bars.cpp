@@ -81,7 +81,12 @@ void draw_modes(Edit& edit) {
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Stability", edit.window.panels && edit.window.bottom == "STABILITY",
                          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
-        edits::switch_bottom(edit);
+        edits::switch_bottom(edit, "STABILITY");
+    ImGui::SameLine(0, 1);
+    if (widgets::segment("Paper", edit.window.panels && edit.window.bottom == "PAPER",
+                         "The paper's experiments made again: its figures as they are measured, a verdict on each "
+                         "claim. Key Shift Y."))
+        edits::switch_bottom(edit, "PAPER");
 }
 
 std::string machines_text(const EngineState& state) {

@@ -97,6 +97,17 @@ Json json_of(const WidthState& state) {
     return json;
 }
 
+/// What PAPER shows: how far it is, and how many figures and verdicts there are.
+Json json_of(const PaperState& state, const PaperView& view) {
+    Json json{{"active", state.active}, {"what", state.what}, {"error", state.error}, {"figure", view.figure}};
+    if (!state.report) return json;
+    json["rounds"] = state.report->results.rounds;
+    json["complete"] = state.report->results.complete;
+    for (const PaperFigure& figure : state.report->figures) json["figures"][figure.name] = figure.chart.curves.size();
+    for (const PaperClaim& claim : state.report->claims) json["verdicts"][claim.id] = name_of(claim.verdict);
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -104,11 +115,9 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
-    json["duel"] = {{"rounds", state.duel.rounds.size()},
-                    {"width", state.duel.width},
-                    {"height", state.duel.height},
-                    {"cpu_ms", state.duel.cpu.median_ms},
-                    {"gl_ms", state.duel.gl.median_ms}};
+    json["duel"] = {{"rounds", state.duel.rounds.size()}, {"width", state.duel.width},
+                    {"height", state.duel.height},        {"cpu_ms", state.duel.cpu.median_ms},
+                    {"gl_ms", state.duel.gl.median_ms},   {"decided", state.duel.decided()}};
     json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
@@ -118,6 +127,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);
+    json["paper"] = json_of(state.paper, edit.window.paper);
     json["messages"] = messages_json(state);
     json["last_export"] = edit.last_export;
     return json;

@@ -322,18 +322,12 @@ void WindowLoop::apply_edit() {
 
 void WindowLoop::carry_out(Action action) {
     switch (action) {
-        case Action::cancel_build: engine_->cancel_build(); break;
-        case Action::dismiss_messages: engine_->dismiss_messages(); break;
         case Action::export_window: window_export_ = true; break;  // when the frame is drawn
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
         case Action::copy_ray: copy_ray(); break;
-        case Action::run_case:
-            engine_->run_case(edit_.window.stability.id, edit_.window.stability.all_traversals);
-            break;
-        case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
-        case Action::cancel_stability: engine_->cancel_stability(); break;
-        default: write_files(action);
+        default:
+            if (!edits::carry_out(action, edit_, *engine_)) write_files(action);
     }
 }
 

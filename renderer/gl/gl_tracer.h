@@ -37,7 +37,8 @@ struct GlFrameReport {
     std::array<double, pass_count> pass_ms{};
     std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
     double total_ms = 0;
-    std::string clock;  // "timer query" on hardware, "finish + steady clock" on software
+    double wall_ms = 0;  // the same by the steady clock; 0 where the clock is that one
+    std::string clock;   // "timer query" on hardware, "finish + steady clock" on software
 };
 
 /// Memory that an upload takes, in bytes.
