@@ -15,6 +15,7 @@ namespace {
 
 constexpr double quiet_before_duel_s = 0.6;
 constexpr double longest_duel_pause_s = 2;
+constexpr int needs_rounds = 7;
 constexpr double longest_paint_ms = 40;  // above it a sketch comes first
 
 bool asks_for(const Session& session, const LoadedScene& scene) {
@@ -93,6 +94,7 @@ void Engine::start_build() {
         try {
             world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
+            world->facts = scene_facts(loaded->flat, world->tree);
         } catch (const std::exception& e) {
             error = error_text(e, "the tree");
         }
@@ -148,7 +150,7 @@ void Engine::start_trace() {
     trace_fraction_ = 0;
     judger_.cancel();
     state_.judging = {};
-    duelling_ = state_.duel.running = false;
+    duelling_ = state_.duel.running = state_.needs.active = false;
     tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
         std::string error;
         try {
@@ -313,6 +315,39 @@ void Engine::start_duel() {
             if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
         });
     });
+}
+
+void Engine::measure_needs() {
+    if (!state_.world || state_.stale() || state_.working() || state_.stability.active) return;
+    stop_duel();
+    state_.needs = {};
+    state_.needs.active = true;
+    state_.needs.world = state_.world;
+    state_.needs.of = state_.session;
+    needs_fraction_ = 0;
+    tracer_.submit([this, request = trace_request()](const std::stop_token& stop) {
+        std::vector<FeatureTime> times;
+        std::string error;
+        try {
+            times = tracing_->time_needs(request, needs_rounds, stop, [this](float done) { needs_fraction_ = done; });
+        } catch (const std::exception& e) {
+            error = error_text(e, "the frames");
+        }
+        const bool stopped = stop.stop_requested();
+        mailbox_.post([this, times, error, stopped] {
+            duel_ended_ = now();
+            if (stopped) return;
+            state_.needs.active = false;
+            state_.needs.times = times;
+            state_.needs.error = error;
+        });
+    });
+}
+
+void Engine::cancel_needs() {
+    if (!state_.needs.active) return;
+    state_.needs.active = false;
+    tracer_.cancel();
 }
 
 void Engine::receive(const DuelReply& reply) {

@@ -102,9 +102,9 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.window.pinned.reset();
 }
 
-void switch_bottom(Edit& edit) {
+void switch_bottom(Edit& edit, const std::string& panel) {
     std::string& bottom = edit.window.bottom;
-    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+    bottom = bottom == panel ? "TIME" : panel;
 }
 
 void show_stress(Edit& edit, const std::string& scene) {

@@ -63,6 +63,8 @@ enum class Action {
     run_case,      // of STABILITY
     run_sweep,
     cancel_stability,
+    measure_needs,  // of NEEDS
+    cancel_needs,
 };
 
 struct Edit {
@@ -99,8 +101,8 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
-/// STABILITY at the bottom, or TIME again.
-void switch_bottom(Edit& edit);
+/// This panel at the bottom, or TIME again.
+void switch_bottom(Edit& edit, const std::string& panel);
 /// A scene of the case chosen in STABILITY; the one before it is kept in mind.
 void show_stress(Edit& edit, const std::string& scene);
 void leave_stress(Edit& edit);

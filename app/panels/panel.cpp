@@ -11,6 +11,7 @@ void draw_pixel_panel(const EngineState& state, Edit& edit);
 void draw_export_panel(const EngineState& state, Edit& edit);
 void draw_time_panel(const EngineState& state, Edit& edit);
 void draw_stability_panel(const EngineState& state, Edit& edit);
+void draw_needs_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
@@ -22,6 +23,7 @@ std::span<const Panel> panels() {
         {"EXPORT", PanelPlace::right, 0, draw_export_panel},
         {"TIME", PanelPlace::bottom, 0, draw_time_panel},
         {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel, true},
+        {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel, true},
     };
     return table;
 }

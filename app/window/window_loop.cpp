@@ -318,6 +318,8 @@ void WindowLoop::carry_out(Action action) {
             break;
         case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
         case Action::cancel_stability: engine_->cancel_stability(); break;
+        case Action::measure_needs: engine_->measure_needs(); break;
+        case Action::cancel_needs: engine_->cancel_needs(); break;
         default: write_files(action);
     }
 }
