@@ -35,7 +35,7 @@ struct RenderOptions : CommonOptions {
     bool see_through = false;
     bool no_legend = false;
     bool needs = false;
-    int rounds = 7;  // of the timings that --needs makes
+    int rounds = 11;  // of the timings that --needs makes
 };
 
 /// Of its rays, as --rays takes it: "reflection-shadow".

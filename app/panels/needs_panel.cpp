@@ -14,7 +14,7 @@ namespace kd {
 namespace {
 
 ImU32 state_colour(const NeedRow& row) {
-    if (row.put_back()) return theme::bright;
+    if (row.put_back()) return theme::selected;
     return row.need.needed && !row.gpu_only ? theme::text : theme::dim_text;
 }
 
@@ -43,8 +43,10 @@ void draw_switch(const NeedRow& row, Edit& edit) {
     widgets::hint(tooltip(row));
 }
 
-void cell(const std::string& text, ImU32 colour, std::string_view tip = {}) {
+void cell(const std::string& text, ImU32 colour, std::string_view tip = {}, bool right = false) {
     ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (right && room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
@@ -61,8 +63,8 @@ void draw_row(const NeedRow& row, bool outdated, Edit& edit) {
     cell(row.need.why, theme::dim_text);
     const std::string saved = saved_text(row);
     cell(saved, outdated ? theme::faded(theme::text, 0.45f) : theme::text,
-         row.time && row.time->seen() ? fmt::format("{:.1f} % of the frame", 100 * row.time->share()) : "");
-    cell(bytes_text(row.bytes), theme::text);
+         row.time && row.time->seen() ? fmt::format("{:.1f} % of the frame", 100 * row.time->share()) : "", true);
+    cell(bytes_text(row.bytes), theme::text, {}, true);
 }
 
 void draw_table(const std::vector<NeedRow>& rows, bool outdated, Edit& edit) {

@@ -218,9 +218,9 @@ TEST(SceneNeeds, OfTheProceduralScenes) {
     };
     EXPECT_EQ(needs("ball:1000"), with({"normals", "reflections", "highlights", "material-numbers"}));
     EXPECT_EQ(needs("icoball:1000"), needs("ball:1000"));
-    EXPECT_EQ(needs("rooms"), with({"material-numbers"}));
-    EXPECT_EQ(needs("scatter:100"), with({}));
-    EXPECT_EQ(needs("sheet:100"), with({"textures", "normals", "material-numbers"}));
+    EXPECT_EQ(needs("rooms"), with({"material-numbers", "highlights"}));
+    EXPECT_EQ(needs("scatter:100"), with({"material-numbers"}));
+    EXPECT_EQ(needs("sheet:100"), with({"textures", "normals", "highlights"}));
     EXPECT_EQ(needs("cornell"), with({"reflections", "material-numbers"}));
 }
 
