@@ -73,7 +73,9 @@ TEST_P(EngineNeeds, ProgramsAreMadeOnceWhileTheOldPictureStays) {
     engine->set_session(session);
     // Nobody waits: poll() comes back while programs are being made, and the picture before is there.
     ASSERT_TRUE(wait_until(*engine, [&](const EngineState& s) {
-        if (s.compiling > 0) EXPECT_TRUE(s.stale() && s.picture == before);
+        if (s.compiling > 0) {
+            EXPECT_TRUE(s.stale() && s.picture == before);
+        }
         EXPECT_NE(s.picture, nullptr);
         return s.compiled > first && s.compiling == 0;
     }));

@@ -40,11 +40,21 @@ TEST(Needs, AreInTheSummary) {
         const std::string name = row["feature"];
         const bool timed = row["can_return"] == true && row["state"] != "GPU only";
         EXPECT_EQ(!row["saved_ms"].is_null(), timed) << name;
-        if (timed) EXPECT_EQ(row["saved_ms"]["rounds"], 3) << name;
-        if (name == "textures") EXPECT_EQ(row["state"], "put back");
-        if (name == "shadows") EXPECT_EQ(row["state"], "needed");
-        if (name == "normals") EXPECT_EQ(row["state"], "left out");
-        if (name == "leaf-copies") EXPECT_GT(row["bytes"], 0);
+        if (timed) {
+            EXPECT_EQ(row["saved_ms"]["rounds"], 3) << name;
+        }
+        if (name == "textures") {
+            EXPECT_EQ(row["state"], "put back");
+        }
+        if (name == "shadows") {
+            EXPECT_EQ(row["state"], "needed");
+        }
+        if (name == "normals") {
+            EXPECT_EQ(row["state"], "left out");
+        }
+        if (name == "leaf-copies") {
+            EXPECT_GT(row["bytes"], 0);
+        }
     }
 }
 
