@@ -15,7 +15,6 @@ namespace {
 
 constexpr double quiet_before_duel_s = 0.6;
 constexpr double longest_duel_pause_s = 2;
-constexpr int needs_rounds = 7;
 constexpr double longest_paint_ms = 40;  // above it a sketch comes first
 
 bool asks_for(const Session& session, const LoadedScene& scene) {
@@ -315,39 +314,6 @@ void Engine::start_duel() {
             if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
         });
     });
-}
-
-void Engine::measure_needs() {
-    if (!state_.world || state_.stale() || state_.working() || state_.stability.active) return;
-    stop_duel();
-    state_.needs = {};
-    state_.needs.active = true;
-    state_.needs.world = state_.world;
-    state_.needs.of = state_.session;
-    needs_fraction_ = 0;
-    tracer_.submit([this, request = trace_request()](const std::stop_token& stop) {
-        std::vector<FeatureTime> times;
-        std::string error;
-        try {
-            times = tracing_->time_needs(request, needs_rounds, stop, [this](float done) { needs_fraction_ = done; });
-        } catch (const std::exception& e) {
-            error = error_text(e, "the frames");
-        }
-        const bool stopped = stop.stop_requested();
-        mailbox_.post([this, times, error, stopped] {
-            duel_ended_ = now();
-            if (stopped) return;
-            state_.needs.active = false;
-            state_.needs.times = times;
-            state_.needs.error = error;
-        });
-    });
-}
-
-void Engine::cancel_needs() {
-    if (!state_.needs.active) return;
-    state_.needs.active = false;
-    tracer_.cancel();
 }
 
 void Engine::receive(const DuelReply& reply) {

@@ -66,9 +66,10 @@ std::vector<NeedRow> need_rows(const FlatScene& scene, const KdTree& tree, const
 
 std::string saved_text(const NeedRow& row) {
     if (!row.time) return "";
+    if (!row.time->saved.sure()) return "too few rounds";
     if (!row.time->seen()) return "no difference seen";
-    const TimeSummary& saved = row.time->saved;
-    return fmt::format("{} ms ({} – {})", ms_text(saved.median_ms), ms_text(saved.p25_ms), ms_text(saved.p75_ms));
+    const MedianInterval& saved = row.time->saved;
+    return fmt::format("{} ms ({} – {})", ms_text(saved.median), ms_text(saved.low), ms_text(saved.high));
 }
 
 std::string bytes_text(std::int64_t bytes) {
@@ -93,18 +94,20 @@ void print(std::ostream& out, const NeedsReport& report) {
                      {"", left},
                      {"because", left},
                      {"saves ms"},
-                     {"p25"},
-                     {"p75"},
+                     {"from"},
+                     {"to"},
                      {"share"},
                      {"memory"},
                      {"--force", left}});
     for (const NeedRow& row : report.rows) {
         std::string saved = "-", low, high, share;
         if (row.time) {
-            saved = ms_text(row.time->saved.median_ms);
-            low = ms_text(row.time->saved.p25_ms);
-            high = ms_text(row.time->saved.p75_ms);
-            share = row.time->seen() ? fmt::format("{:.1f} %", 100 * row.time->share()) : "not seen";
+            saved = ms_text(row.time->saved.median);
+            low = ms_text(row.time->saved.low);
+            high = ms_text(row.time->saved.high);
+            share = row.time->seen()         ? fmt::format("{:.1f} %", 100 * row.time->share())
+                    : row.time->saved.sure() ? "no difference seen"
+                                             : "too few rounds";
         }
         table.add_row({std::string(row.feature->title), std::string(row.state()), row.need.why, saved, low, high, share,
                        bytes_text(row.bytes), row.need.can_return ? std::string(row.feature->name) : ""});
@@ -112,8 +115,9 @@ void print(std::ostream& out, const NeedsReport& report) {
     table.print(out);
     if (report.renderer.empty()) return;
     out << fmt::format(
-        "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn: median and middle "
-        "half.\nNot seen: the middle half holds 0. Memory: of tables and targets. Clock: {}; {}.\n",
+        "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn: the median "
+        "and the interval that holds it with 95 %.\nNo difference seen: the interval holds 0. Memory: of tables and "
+        "targets. Clock: {}; {}.\n",
         counted(std::size_t(report.rounds), "round"), report.clock, report.renderer);
 }
 
@@ -124,8 +128,8 @@ Json json_of(const NeedsReport& report) {
                   {"because", row.need.why},      {"can_return", row.need.can_return}, {"bytes", row.bytes},
                   {"saved_ms", nullptr}};
         if (row.time)
-            json["saved_ms"] = {{"median", row.time->saved.median_ms},  {"p25", row.time->saved.p25_ms},
-                                {"p75", row.time->saved.p75_ms},        {"rounds", row.time->saved.samples},
+            json["saved_ms"] = {{"median", row.time->saved.median},     {"low", row.time->saved.low},
+                                {"high", row.time->saved.high},         {"rounds", row.time->saved.samples},
                                 {"frame", row.time->without.median_ms}, {"seen", row.time->seen()}};
         rows.push_back(std::move(json));
     }

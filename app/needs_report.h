@@ -30,7 +30,7 @@ struct NeedRow {
 [[nodiscard]] std::vector<NeedRow> need_rows(const FlatScene& scene, const KdTree& tree, const SceneFacts& facts,
                                              const Session& session, const std::vector<FeatureTime>& times);
 
-/// "2.1 ms (1.8 – 2.4)", "no difference seen", or nothing where it was not timed.
+/// "2.1 ms (1.8 – 2.4)", "no difference seen", "too few rounds", or nothing where it was not timed.
 [[nodiscard]] std::string saved_text(const NeedRow& row);
 /// "1.5 MB", "320 kB"; nothing for 0.
 [[nodiscard]] std::string bytes_text(std::int64_t bytes);

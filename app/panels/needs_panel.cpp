@@ -70,7 +70,9 @@ void draw_row(const NeedRow& row, bool outdated, Edit& edit) {
 void draw_table(const std::vector<NeedRow>& rows, bool outdated, Edit& edit) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {theme::px(6), theme::px(1)});
-    if (ImGui::BeginTable("features", 6, flags, {0, 0})) {
+    // Wider, a row would be hard to follow.
+    const float width = std::min(ImGui::GetContentRegionAvail().x, theme::px(1100));
+    if (ImGui::BeginTable("features", 6, flags, {width, 0})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("", 0);
         ImGui::TableSetupColumn("feature", 0, theme::px(140));
@@ -96,7 +98,7 @@ void draw_measuring(const EngineState& state, bool outdated, Edit& edit) {
     const bool idle = !state.working() && !state.stale();
     if (widgets::button("measure",
                         idle ? "Traces frames with each feature put back and frames without any, in turn, and shows "
-                               "the median difference with its middle half. A change of the picture ends it."
+                               "the median difference with its 95 % interval. A change of the picture ends it."
                              : "When the picture is done.",
                         idle))
         edit.do_once(Action::measure_needs);

@@ -87,7 +87,7 @@ Json json_of(const StabilityState& state, const StabilityView& view) {
 Json json_of(const NeedsTiming& timing) {
     Json json{{"active", timing.active}, {"error", timing.error}, {"saved_ms", Json::object()}};
     for (const FeatureTime& time : timing.times)
-        json["saved_ms"][std::string(info(time.feature).name)] = time.saved.median_ms;
+        json["saved_ms"][std::string(info(time.feature).name)] = time.saved.median;
     return json;
 }
 

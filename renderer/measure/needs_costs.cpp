@@ -43,7 +43,7 @@ std::vector<FeatureTime> time_features(const std::vector<Feature>& features, con
     }
     std::vector<FeatureTime> times;
     for (std::size_t i = 0; i < features.size(); ++i)
-        times.push_back({features[i], summarise(without), summarise(std::move(saved[i]))});
+        times.push_back({features[i], summarise(without), median_interval(std::move(saved[i]))});
     return times;
 }
 

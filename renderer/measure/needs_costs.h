@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
@@ -12,13 +13,13 @@ namespace kd {
 /// Frames with one feature put back against frames without any.
 struct FeatureTime {
     Feature feature = Feature::reflections;
-    TimeSummary without;  // of a frame
-    TimeSummary saved;    // time with the feature minus time without, round by round
+    TimeSummary without;   // of a frame
+    MedianInterval saved;  // ms: time with the feature minus time without, round by round
 
-    /// False where the middle half of the rounds holds 0.
-    [[nodiscard]] bool seen() const { return saved.samples > 0 && (saved.p25_ms > 0 || saved.p75_ms < 0); }
+    /// The interval has 95 % and does not hold 0.
+    [[nodiscard]] bool seen() const { return saved.sure() && !saved.holds(0); }
     /// The median as a share of the frame without.
-    [[nodiscard]] double share() const { return without.median_ms > 0 ? saved.median_ms / without.median_ms : 0; }
+    [[nodiscard]] double share() const { return without.median_ms > 0 ? saved.median / without.median_ms : 0; }
 };
 
 /// Traces a frame with these features put back and returns its time in ms by the tracer's clock.
