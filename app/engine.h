@@ -49,6 +49,9 @@ class Engine {
     void run_case(const std::string& id, bool all_traversals);
     /// The same with its sweep, by the session's traversal.
     void run_sweep(const std::string& id);
+    /// Times what is left out, each feature alone; any change of the picture ends it.
+    void measure_needs();
+    void cancel_needs();
     void cancel_stability() { stability_.cancel(); }
     /// Makes the paper's experiments in the background; while they run nothing else is timed.
     void run_paper(bool quick);
@@ -109,10 +112,11 @@ class Engine {
     std::uint64_t trace_ticket_ = 0;      // of the trace started last
     std::uint64_t judge_ticket_ = 0;      // of the comparison started last
     std::shared_ptr<const Frame> judging_frame_;
-    MapConfig judging_map_;                                                            // that needs something beside it
-    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0;  // written by the threads at work
-    TraceRequest duel_failed_;   // its world and configuration cannot be timed
-    std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
+    MapConfig judging_map_;  // that needs something beside it
+    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0,
+                       needs_fraction_ = 0;  // written by the threads at work
+    TraceRequest duel_failed_;               // its world and configuration cannot be timed
+    std::uint64_t duel_of_ = 0;              // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
     int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;

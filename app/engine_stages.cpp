@@ -99,6 +99,7 @@ void Engine::start_build() {
         try {
             world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
+            world->facts = scene_facts(loaded->flat, world->tree);
         } catch (const std::exception& e) {
             error = error_text(e, "the tree");
         }
@@ -154,7 +155,7 @@ void Engine::start_trace() {
     trace_fraction_ = 0;
     judger_.cancel();
     state_.judging = {};
-    duelling_ = state_.duel.running = false;
+    duelling_ = state_.duel.running = state_.needs.active = false;
     tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
         std::string error;
         try {

@@ -16,6 +16,7 @@
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
+#include "renderer/measure/needs_costs.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
@@ -94,6 +95,16 @@ struct GlStatus {
     [[nodiscard]] bool available() const { return known && unavailable.empty(); }
 };
 
+/// What features save that are left out, measured when asked for.
+struct NeedsTiming {
+    bool active = false;
+    float fraction = 0;  // 0..1
+    std::vector<FeatureTime> times;
+    std::shared_ptr<const World> world;  // of the frames timed
+    Session of;
+    std::string error;  // why nothing was measured
+};
+
 struct EngineState {
     Session session;                         // what was asked for, corrected where it could not be had
     std::uint64_t generation = 0;            // grows with every change of the session that changes the picture
@@ -105,6 +116,9 @@ struct EngineState {
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
+    NeedsTiming needs;
+    int compiling = 0;  // programs that the GPU is being given now
+    int compiled = 0;   // since the start
     StabilityState stability;
     WidthState widths;
     PaperState paper;
@@ -119,6 +133,13 @@ struct EngineState {
         return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
     [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active || judging.active; }
+    /// What features save was measured of another picture, scene or machine.
+    [[nodiscard]] bool needs_outdated() const {
+        Session now = session;
+        now.trace.forced = needs.of.trace.forced;  // each was timed alone, whatever else was put back
+        now.view = needs.of.view;
+        return needs.world != world || now != needs.of;
+    }
     /// What the oracle says of every pixel of the picture shown; null where it does not, or not yet.
     [[nodiscard]] const JudgedLayer* judged() const {
         const JudgedLayer* found = picture ? picture->traced.judged.get() : nullptr;

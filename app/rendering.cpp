@@ -1,13 +1,19 @@
 #include "app/rendering.h"
 
+#include <fmt/format.h>
+#include <ostream>
+
 #include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/frame_walks.h"
-#include "renderer/scene/needs.h"
 #include "viz/figure.h"
 
 namespace kd {
+
+GlChoices gl_choices(const CommonOptions& options, const Session& session) {
+    return {options.context.value_or(ContextKind::automatic), session.early_z, options.count_shaded};
+}
 
 Rendering render(const CommonOptions& options, Session session, CommandContext& context) {
     check_frame_memory(session.width, session.height);
@@ -21,10 +27,13 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop);
     check_stop(context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
-    r.left_out = left_out(scene_needs(r.scene, s.trace), r.scene, s.trace);
+    r.facts = scene_facts(r.scene, r.tree);
+    r.left_out = left_out(r.facts, s.trace);
+    for (const FeatureInfo& feature : features())
+        if (const FeatureNeed need = feature.need(r.facts, s.trace); s.trace.forced.has(feature.id) && !need.can_return)
+            context.err << fmt::format("kdscope: note: --force {} has no effect: {}\n", feature.name, need.why);
 
-    const GlChoices gl{options.context.value_or(ContextKind::automatic), s.early_z, options.count_shaded};
-    const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl);
+    const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl_choices(options, s));
     tracer->prepare(s.trace, s.width, s.height);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
     r.time = tracer->trace(s.trace, camera, s.width, s.height, context.stop, show("tracing"));

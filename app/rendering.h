@@ -10,6 +10,7 @@
 #include "app/figure_text.h"
 #include "app/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
+#include "renderer/scene/needs.h"
 #include "viz/text.h"
 
 namespace kd {
@@ -20,6 +21,7 @@ struct Rendering {
     KdTree tree;
     BuildReport build;
     TreeStats stats;
+    SceneFacts facts;
     Frame frame;
     std::optional<JudgedLayer> judged;   // where the map shown asks for it
     std::optional<LockstepLayer> walks;  // likewise
@@ -28,6 +30,9 @@ struct Rendering {
     bool software_gl = false;
     std::vector<std::string> left_out;  // what scene and settings do not need
 };
+
+/// Of a command: what only gl-fragment asks.
+[[nodiscard]] GlChoices gl_choices(const CommonOptions& options, const Session& session);
 
 /// Loads, builds, traces, and makes what the map asks for beside the frame, with progress on the context's terminal. InputError, ContextError, Interrupted.
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);

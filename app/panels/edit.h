@@ -76,6 +76,8 @@ enum class Action {
     run_paper,        // of PAPER
     run_paper_quick,  // small pictures, few rounds
     cancel_paper,
+    measure_needs,  // of NEEDS
+    cancel_needs,
 };
 
 struct Edit {

@@ -79,14 +79,18 @@ void draw_modes(Edit& edit) {
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
     ImGui::SameLine(0, theme::px(12));
-    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom == "STABILITY",
-                         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
-        edits::switch_bottom(edit, "STABILITY");
+    const auto bottom = [&](const char* label, const char* panel, const char* tooltip) {
+        if (widgets::segment(label, edit.window.panels && edit.window.bottom == panel, tooltip))
+            edits::switch_bottom(edit, panel);
+    };
+    bottom("Stability", "STABILITY",
+           "Cases that break ray tracers: run them, see them, drive their parameters. Key Y.");
     ImGui::SameLine(0, 1);
-    if (widgets::segment("Paper", edit.window.panels && edit.window.bottom == "PAPER",
-                         "The paper's experiments made again: its figures as they are measured, a verdict on each "
-                         "claim. Key Shift Y."))
-        edits::switch_bottom(edit, "PAPER");
+    bottom(
+        "Paper", "PAPER",
+        "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y.");
+    ImGui::SameLine(0, 1);
+    bottom("Needs", "NEEDS", "What the scene needs, what is left out, and what that saves. Key X.");
 }
 
 std::string machines_text(const EngineState& state) {
@@ -130,6 +134,14 @@ std::string status_text(const EngineState& state, const WindowSettings& window) 
     return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms{}", state.session.width,
                        state.session.height, number_text(rays), number_text(traced.time.total_ms),
                        number_text(state.last_build_ms), flight);
+}
+
+/// Shaders being compiled; the picture before them stays meanwhile.
+void draw_compiling(const EngineState& state) {
+    if (state.compiling == 0) return;
+    ImGui::SameLine(0, theme::px(16));
+    ImGui::TextUnformatted(fmt::format("compiling shaders ({})", state.compiling).c_str());
+    Places::note("compiling");
 }
 
 /// The bar of the work that takes longest now.
@@ -191,6 +203,7 @@ void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edi
     ImGui::TextUnformatted(status_text(state, edit.window).c_str());
     ImGui::PopStyleColor();
     draw_work(state, edit);
+    draw_compiling(state);
     const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys, text size";
     const float width = ImGui::CalcTextSize(hint).x;
     ImGui::SameLine();

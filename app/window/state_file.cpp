@@ -108,6 +108,14 @@ Json json_of(const PaperState& state, const PaperView& view) {
     return json;
 }
 
+/// What was measured of NEEDS, by feature.
+Json json_of(const NeedsTiming& timing) {
+    Json json{{"active", timing.active}, {"error", timing.error}, {"saved_ms", Json::object()}};
+    for (const FeatureTime& time : timing.times)
+        json["saved_ms"][std::string(info(time.feature).name)] = time.saved.median;
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -129,6 +137,8 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["widths"] = json_of(state.widths);
     json["paper"] = json_of(state.paper, edit.window.paper);
     json["messages"] = messages_json(state);
+    json["needs"] = json_of(state.needs);
+    json["compiled"] = state.compiled;
     json["last_export"] = edit.last_export;
     return json;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,6 +45,11 @@ struct GlFrameReport {
 /// Memory that an upload takes, in bytes.
 struct GlMemory {
     std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0;
+
+    [[nodiscard]] std::int64_t total() const {
+        return nodes + boxes + references + triangles + attributes + textures + targets;
+    }
+    bool operator==(const GlMemory&) const = default;
 };
 
 /// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
@@ -80,6 +86,10 @@ class GlTracer {
     void correct_rounding(bool on);
 
     [[nodiscard]] GlMemory memory() const;
+
+    /// `told` gets the number of programs that are being compiled in a prepare(), growing one by one, and 0 when all are
+    /// ready. Nothing is told where all are there already.
+    void tell_compiling(std::function<void(int)> told);
 
     struct Impl;  // renderer/gl/gl_tracer_impl.h
 
