@@ -5,6 +5,7 @@
 
 #define KD_BUILDERS(BUILDER)                                                                                           \
     BUILDER(paper)                                                                                                     \
+    BUILDER(exact)                                                                                                     \
     BUILDER(spatial_median)
 
 namespace kd {
