@@ -151,6 +151,7 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
     refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
     ProgressLine progress(context);

@@ -92,7 +92,7 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
 }
 
 int run(const CLI::App& app, const VerifyOptions& options, CommandContext& context) {
-    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
+    note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
     require_context(options, true);
     bool passed = true;
     Json json = Json::array();

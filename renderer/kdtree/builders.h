@@ -6,6 +6,7 @@
 #define KD_BUILDERS(BUILDER)                                                                                           \
     BUILDER(paper)                                                                                                     \
     BUILDER(exact)                                                                                                     \
+    BUILDER(binned)                                                                                                    \
     BUILDER(spatial_median)
 
 namespace kd {

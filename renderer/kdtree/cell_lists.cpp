@@ -27,8 +27,8 @@ TriangleRanges::TriangleRanges(std::span<const Triangle> triangles) {
 CellLists::CellLists(const TriangleRanges& ranges)
     : ranges_(ranges), lists_(all_numbers(ranges.axis[0].size())), sides_(ranges.axis[0].size()) {}
 
-Split CellLists::count(int axis, float position) const {
-    Split split{.axis = axis, .position = position};
+Split CellLists::count(int axis, float position, bool planar_below) const {
+    Split split{.axis = axis, .position = position, .planar_below = planar_below};
     for (std::int32_t number : top()) {
         const unsigned sides = sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], split);
         split.below += int(sides & side_below);

@@ -39,8 +39,8 @@ class CellLists {
 
     [[nodiscard]] std::span<const std::int32_t> top() const { return lists_.top(); }
 
-    /// Counts for a split of the top cell at a given plane; triangles lying in it are counted below.
-    [[nodiscard]] Split count(int axis, float position) const;
+    /// Counts for a split of the top cell at a given plane.
+    [[nodiscard]] Split count(int axis, float position, bool planar_below = true) const;
 
     /// A triangle goes to the sides its box reaches into; one that lies in the plane goes where the split says.
     void divide(const Split& split);

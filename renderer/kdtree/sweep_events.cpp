@@ -6,8 +6,6 @@ namespace {
 
 bool is_before(const SweepEvent& a, const SweepEvent& b) { return a.position < b.position; }
 
-void sort_by_position(std::vector<SweepEvent>& events) { std::sort(events.begin(), events.end(), is_before); }
-
 std::vector<SweepEvent> sorted_events(const TriangleRanges& ranges, int axis, const std::stop_token& stop) {
     std::vector<SweepEvent> events;
     if (stop.stop_requested()) return events;
@@ -15,11 +13,13 @@ std::vector<SweepEvent> sorted_events(const TriangleRanges& ranges, int axis, co
     const AxisRange root{ranges.bounds.lower[axis], ranges.bounds.upper[axis]};
     events.reserve(2 * projections.size());
     for (std::uint32_t i = 0; i < projections.size(); ++i) add_events(events, i, projections[i], root);
-    sort_by_position(events);
+    sort_events(events);
     return events;
 }
 
 }  // namespace
+
+void sort_events(std::vector<SweepEvent>& events) { std::sort(events.begin(), events.end(), is_before); }
 
 void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell) {
     const auto [lower, upper] = range;
@@ -65,7 +65,7 @@ void SweepEvents::divide_clipped(const Split& split, const std::vector<std::uint
         }
         for (std::size_t side = 0; side < 2; ++side) {
             std::vector<SweepEvent>& merged = merged_[side][axis];
-            sort_by_position(parts[side][axis]);
+            sort_events(parts[side][axis]);
             merged.resize(kept_[side][axis].size() + parts[side][axis].size());
             std::merge(kept_[side][axis].begin(), kept_[side][axis].end(), parts[side][axis].begin(),
                        parts[side][axis].end(), merged.begin(), is_before);

@@ -28,6 +28,9 @@ using PartEvents = std::array<std::array<std::vector<SweepEvent>, 3>, 2>;
 /// left out.
 void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell);
 
+/// By ascending position.
+void sort_events(std::vector<SweepEvent>& events);
+
 /// The events of the unfinished cells on each axis, by ascending position. They are sorted once, at the root, and keep
 /// their order from there on, so that a build takes O(N log N); after Wald & Havran, "On building fast kd-trees for ray
 /// tracing, and on doing that in O(N log N)", 2006.
