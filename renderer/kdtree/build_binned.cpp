@@ -2,8 +2,6 @@
 // in, which takes one pass and no sorting. After Shevtsov, Soupikov and Kapustin, "Highly parallel fast kd-tree construction
 // for interactive ray tracing of dynamic scenes", 2007. A cell with no more triangles than bins is swept exactly.
 
-#include <cmath>
-
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
@@ -85,14 +83,18 @@ class BinnedSplitter : public Splitter {
         std::fill(starts_.begin(), starts_.end(), 0);
         std::fill(ends_.begin(), ends_.end(), 0);
         const double lower = cell.lower[axis];
-        const double last = double(starts_.size()) - 1.0;
-        const double per_length = double(starts_.size()) / (double(cell.upper[axis]) - lower);
+        const double bins = double(starts_.size());
+        const double per_length = bins / (double(cell.upper[axis]) - lower);
+        const std::size_t last = starts_.size() - 1;
         for (const std::int32_t n : numbers) {
             const auto [from, to] = range(axis, n);
-            const double start = std::clamp(std::floor((double(from) - lower) * per_length), 0.0, last);
-            const double end = std::clamp(std::ceil((double(to) - lower) * per_length) - 1.0, start, last);
-            ++starts_[std::size_t(start)];
-            ++ends_[std::size_t(end)];
+            const double begin = std::clamp((double(from) - lower) * per_length, 0.0, bins);
+            const std::size_t start = std::min(std::size_t(begin), last);
+            const double reach = std::clamp((double(to) - lower) * per_length, 0.0, bins);
+            std::size_t end = std::min(std::size_t(reach), last);
+            if (double(end) == reach && end > start) --end;
+            ++starts_[start];
+            ++ends_[end];
         }
     }
 
@@ -112,7 +114,7 @@ KdTree build_binned(const BuildTask& task) {
 
 Builder binned_builder() {
     return {"binned", "SAH, binned",
-            "Surface area heuristic at evenly spaced planes on all axes, exact in small cells: fast to build.",
+            "Surface area heuristic at evenly spaced planes on all axes, exact in small cells; sorts nothing large.",
             build_binned, true};
 }
 
