@@ -13,7 +13,7 @@ namespace {
 class BinnedSplitter : public Splitter {
   public:
     BinnedSplitter(const BuildConfig& config, const TriangleRanges& ranges)
-        : config_(config), ranges_(ranges), starts_(std::size_t(config.bins)), ends_(std::size_t(config.bins)) {}
+        : config_(config), ranges_(ranges), starts_(std::size_t(config.bins)), ends_(starts_), planar_(starts_) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return lists.top().size() <= starts_.size() ? sweep(cell, lists.top()) : choose_plane(cell, lists);
@@ -73,15 +73,18 @@ class BinnedSplitter : public Splitter {
             const double share = double(k) / bins;
             const auto position = float((1.0 - share) * double(cell.lower[axis]) + share * double(cell.upper[axis]));
             if (!(position > cell.lower[axis] && position < cell.upper[axis])) continue;
-            const double cost = cost_of(position, below, above);
+            const int planar = planar_[std::size_t(k)];
+            const double cost =
+                std::min(cost_of(position, below, above), cost_of(position, below + planar, above - planar));
             if (cost < best.cost) best = {axis, position, cost};
         }
     }
 
-    /// A box that ends on the plane between two bins ends in the one below, one that starts there in the one above.
+    /// A box that ends on the plane between two bins ends in the one below, one that starts or lies there in the one above.
     void fill_bins(const Aabb& cell, int axis, std::span<const std::int32_t> numbers) {
         std::fill(starts_.begin(), starts_.end(), 0);
         std::fill(ends_.begin(), ends_.end(), 0);
+        std::fill(planar_.begin(), planar_.end(), 0);
         const double lower = cell.lower[axis];
         const double bins = double(starts_.size());
         const double per_length = bins / (double(cell.upper[axis]) - lower);
@@ -92,7 +95,9 @@ class BinnedSplitter : public Splitter {
             const std::size_t start = std::min(std::size_t(begin), last);
             const double reach = std::clamp((double(to) - lower) * per_length, 0.0, bins);
             std::size_t end = std::min(std::size_t(reach), last);
-            if (double(end) == reach && end > start) --end;
+            const bool on_plane = double(end) == reach;
+            if (on_plane && end > start) --end;
+            planar_[end] += on_plane && from == to;
             ++starts_[start];
             ++ends_[end];
         }
@@ -101,6 +106,7 @@ class BinnedSplitter : public Splitter {
     const BuildConfig& config_;
     const TriangleRanges& ranges_;
     std::vector<int> starts_, ends_;                 // by bin: boxes that start and end there
+    std::vector<int> planar_;                        // by bin: boxes that lie in its lower face
     std::array<std::vector<SweepEvent>, 3> events_;  // room for one small cell
 };
 

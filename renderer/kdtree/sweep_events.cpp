@@ -4,7 +4,8 @@ namespace kd {
 
 namespace {
 
-bool is_before(const SweepEvent& a, const SweepEvent& b) { return a.position < b.position; }
+// A function object, not a function: calls of it are compiled in line.
+constexpr auto is_before = [](const SweepEvent& a, const SweepEvent& b) { return a.position < b.position; };
 
 std::vector<SweepEvent> sorted_events(const TriangleRanges& ranges, int axis, const std::stop_token& stop) {
     std::vector<SweepEvent> events;
