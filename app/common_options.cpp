@@ -126,6 +126,8 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
                         text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
                           text("Most leaf references per triangle", build.reference_cap)),
+        add_number<int>(app, "--bins", build.bins, fewest_bins, most_bins,
+                        text("Bins on each axis of builder binned", build.bins)),
         app.add_flag_callback(
             "--box-leaves", [&build] { build.trim_leaves = false; },
             "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),

@@ -53,6 +53,7 @@ Json json_of(const BuildConfig& b) {
             {"max_depth", b.max_depth},
             {"bad_refines", b.bad_refines},
             {"reference_cap", json_number(b.reference_cap)},
+            {"bins", b.bins},
             {"trim_leaves", b.trim_leaves}};
 }
 

@@ -173,6 +173,7 @@ int run(const CLI::App& app, const StatsOptions& options, CommandContext& contex
     if (ballot) return run_ballots(options, options.divergence, options.json, context);
     if (divergence) return run_divergence(options, options.divergence, options.json, context);
     refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
     ProgressLine progress(context);

@@ -110,7 +110,7 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
 int run(const CLI::App& app, const VerifyOptions& options, CommandContext& context) {
     check_uses(app, options);
     if (options.needs) return verify_needs(options, options.json, context);
-    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
+    note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
     require_context(options, true);
     bool passed = true;
     Json json = Json::array();
