@@ -146,7 +146,9 @@ bool Engine::poll() {
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
     start_widths();
-    if (!duelling_) start_duel();
+    if (state_.world) convergence_.follow(configuration_shown());
+    if (!duelling_) start_sample();
+    if (!duelling_ && !convergence_.wants_sample()) start_duel();
     return news;
 }
 

@@ -56,6 +56,9 @@ class Engine {
     /// Makes the paper's experiments in the background; while they run nothing else is timed.
     void run_paper(bool quick);
     void cancel_paper() { paper_.cancel(); }
+    /// Samples the resting picture on and on, in place of timing it, until stopped or ConvergenceState::most_samples.
+    void sample_picture(Sampler sampler);
+    void stop_sampling() { convergence_.stop(); }
     /// A person did something: no duel for a while.
     void note_input();
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
@@ -95,6 +98,11 @@ class Engine {
     void receive(const DuelReply& reply);
     void stop_duel();
     void start_widths();
+    void start_sample();
+    void receive(const SampleReply& reply);
+    void note_frame(const TracedFrame& traced);
+    void note_rounds();
+    [[nodiscard]] Session configuration_shown() const;
     void read_probes();
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
@@ -126,6 +134,7 @@ class Engine {
     StabilityBench stability_{mailbox_, state_.stability};
     WidthBench widths_{mailbox_, state_.widths};
     PaperBench paper_{mailbox_, state_.paper};
+    Convergence convergence_{state_.convergence};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

@@ -191,6 +191,7 @@ void Engine::note_gl(const GlStatus& gl) {
 
 void Engine::receive(TracedFrame traced) {
     traced_ = std::move(traced);
+    note_frame(traced_);
     start_paint();
 }
 
@@ -357,6 +358,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.gl_clock = reply.gl_clock;
     duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
+    note_rounds();
 }
 
 /// Of the frame and the rays that the picture shows. A picture that changes is left alone.

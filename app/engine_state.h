@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/engine_convergence.h"
 #include "app/engine_duel.h"
 #include "app/engine_paper.h"
 #include "app/engine_pixel.h"
@@ -122,6 +123,7 @@ struct EngineState {
     StabilityState stability;
     WidthState widths;
     PaperState paper;
+    ConvergenceState convergence;
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/geometry/input_error.h"
+#include "renderer/measure/error_time/sampling.h"
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/needs.h"
@@ -92,6 +93,25 @@ std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::s
     } catch (const ContextLost& lost) {
         replace_context(lost);
         return std::nullopt;  // another round comes
+    }
+}
+
+std::optional<SampleReply> Tracing::sample(const TraceRequest& request, glm::dvec2 offset,
+                                           const std::stop_token& stop) {
+    try {
+        FrameTask task = task_of(request);
+        task.config.counters = false;
+        task.camera = shifted(task.camera, offset, request.width, request.height);
+        FrameSource& machine = source(request.tracer);
+        const std::shared_ptr<Frame> scratch = frames_.take(request.width, request.height);
+        machine.prepare(task, request.width, request.height);
+        const FrameTime time = machine.trace(task, *scratch, stop, {});
+        if (!time.complete) return std::nullopt;
+        machine.read(task, *scratch);
+        return SampleReply{scratch->colour, time.total_ms};
+    } catch (const ContextLost& lost) {
+        replace_context(lost);
+        return std::nullopt;  // another comes
     }
 }
 

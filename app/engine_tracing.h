@@ -40,6 +40,12 @@ struct DuelReply {
     std::string cpu_clock, gl_clock;
 };
 
+/// A frame's colours and its time in ms.
+struct SampleReply {
+    Image<Vec4> colour;
+    double ms = 0;
+};
+
 /// Used by one thread alone, from open() to its destruction: the GL context belongs to that thread.
 class Tracing {
   public:
@@ -54,6 +60,9 @@ class Tracing {
     /// and ContextError where the tracer cannot do it.
     void trace(const TraceRequest& request, const std::stop_token& stop,
                const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
+
+    /// A frame of the request through a camera that is off by `offset` pixels, without counters. Nothing where stopped.
+    std::optional<SampleReply> sample(const TraceRequest& request, glm::dvec2 offset, const std::stop_token& stop);
 
     /// One frame by each machine, without counters. Nothing where stopped.
     std::optional<DuelReply> duel(const TraceRequest& request, const std::stop_token& stop);

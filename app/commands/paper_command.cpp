@@ -43,14 +43,6 @@ PaperConfig config_for(const CLI::App& app, const PaperOptions& options) {
     return config;
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
-        throw InputError(
-            fmt::format("--output: cannot make the folder '{}': {}; choose another", folder, error.message()));
-}
-
 void print(std::ostream& out, const std::vector<PaperClaim>& claims) {
     using enum TextTable::Align;
     TextTable table(
@@ -66,7 +58,7 @@ int run(const CLI::App& app, const PaperOptions& options, CommandContext& contex
     if (options.tracer == TracerKind::gl_fragment)
         throw InputError("--tracer: the CPU's tracers are what GPURT is held against; name cpu alone, or leave it out");
     require_context(options, true);
-    make_folder(options.folder);
+    make_output_folder("--output", options.folder);
     const std::filesystem::path folder(options.folder);
     check_outputs({{"--output", (folder / "index.html").string()}}, {});
     if (!can_draw_charts()) context.err << "kdscope: note: " << no_gnuplot_text << '\n';

@@ -35,6 +35,12 @@ struct PaperView {
     bool verdicts = false;  // rather than a figure
 };
 
+/// What a person does in ERROR.
+struct ErrorTimeView {
+    Sampler sampler = Sampler::independent;
+    std::vector<Session> before;  // clicks on configurations, newest last: what each took the place of
+};
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
@@ -57,6 +63,7 @@ struct WindowSettings {
     std::string bottom = "TIME";            // the panel shown at the bottom
     StabilityView stability;
     PaperView paper;
+    ErrorTimeView error_time;
 };
 
 enum class Action {
@@ -78,6 +85,8 @@ enum class Action {
     cancel_paper,
     measure_needs,  // of NEEDS
     cancel_needs,
+    sample_picture,  // of ERROR
+    stop_sampling,
 };
 
 struct Edit {

@@ -14,6 +14,7 @@ void draw_stability_panel(const EngineState& state, Edit& edit);
 void draw_divergence_panel(const EngineState& state, Edit& edit);
 void draw_paper_panel(const EngineState& state, Edit& edit);
 void draw_needs_panel(const EngineState& state, Edit& edit);
+void draw_error_time_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
@@ -28,6 +29,7 @@ std::span<const Panel> panels() {
         {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel, true},
         {"PAPER", PanelPlace::bottom, 0, draw_paper_panel, true},
         {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel, true},
+        {"ERROR", PanelPlace::bottom, 0, draw_error_time_panel, true},
     };
     return table;
 }

@@ -91,6 +91,9 @@ void draw_modes(Edit& edit) {
         "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y.");
     ImGui::SameLine(0, 1);
     bottom("Needs", "NEEDS", "What the scene needs, what is left out, and what that saves. Key X.");
+    ImGui::SameLine(0, 1);
+    bottom("Error", "ERROR",
+           "Error against time while the picture is sampled, and the configurations tried so far. Key E.");
 }
 
 std::string machines_text(const EngineState& state) {

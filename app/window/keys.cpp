@@ -62,6 +62,8 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::switch_bottom(e, "PAPER"); }},
     {GLFW_KEY_X, plain, "X", see, "what is left out, or times",
      [](State, Edit& e) { edits::switch_bottom(e, "NEEDS"); }},
+    {GLFW_KEY_E, plain, "E", see, "error against time, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, "ERROR"); }},
     {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits one level less deep", [](State, Edit& e) { change_depth(e, -1); }},
     {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
     {GLFW_KEY_M, plain, "M", see, "next map", [](State, Edit& e) { edits::next_map(e); }},

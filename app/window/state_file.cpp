@@ -116,6 +116,16 @@ Json json_of(const NeedsTiming& timing) {
     return json;
 }
 
+Json json_of(const ConvergenceState& state) {
+    Json json{{"active", state.active}, {"samples", state.samples}, {"tried", state.tried.size()}};
+    for (const ConvergenceCurve& curve : state.curves)
+        if (!curve.points.empty())
+            json["curves"][curve.name()] = {{"points", curve.points.size()},
+                                            {"first", curve.points.front().rmse},
+                                            {"last", curve.points.back().rmse}};
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -136,6 +146,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);
     json["paper"] = json_of(state.paper, edit.window.paper);
+    json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);
     json["needs"] = json_of(state.needs);
     json["compiled"] = state.compiled;
