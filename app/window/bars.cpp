@@ -1,11 +1,13 @@
 #include "app/window/bars.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "app/assets.h"
 #include "app/machine_info.h"
+#include "app/panels/panel.h"
 #include "app/window/places.h"
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
@@ -78,22 +80,6 @@ void draw_modes(Edit& edit) {
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
-    ImGui::SameLine(0, theme::px(12));
-    const auto bottom = [&](const char* label, const char* panel, const char* tooltip) {
-        if (widgets::segment(label, edit.window.panels && edit.window.bottom == panel, tooltip))
-            edits::switch_bottom(edit, panel);
-    };
-    bottom("Stability", "STABILITY",
-           "Cases that break ray tracers: run them, see them, drive their parameters. Key Y.");
-    ImGui::SameLine(0, 1);
-    bottom(
-        "Paper", "PAPER",
-        "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y.");
-    ImGui::SameLine(0, 1);
-    bottom("Needs", "NEEDS", "What the scene needs, what is left out, and what that saves. Key X.");
-    ImGui::SameLine(0, 1);
-    bottom("Error", "ERROR",
-           "Error against time while the picture is sampled, and the configurations tried so far. Key E.");
 }
 
 std::string machines_text(const EngineState& state) {
@@ -196,6 +182,23 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
     draw_modes(edit);
     draw_badge(state, edit);
     ImGui::End();
+}
+
+void draw_bottom_tabs(Edit& edit) {
+    const Section section("bottom");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, ImGui::GetStyle().ItemSpacing.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme::px(8), 0});
+    for (const Panel& panel : panels()) {
+        if (panel.place != PanelPlace::bottom) continue;
+        std::string name = panel.title;
+        std::transform(name.begin() + 1, name.end(), name.begin() + 1,
+                       [](unsigned char c) { return char(std::tolower(c)); });
+        if (widgets::segment(name.c_str(), edit.window.bottom == panel.title, panel.hint))
+            edit.window.bottom = panel.title;
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ImGui::PopStyleVar(2);
 }
 
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {

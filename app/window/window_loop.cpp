@@ -272,6 +272,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
     const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
         begin_area(name, area, {theme::px(12), theme::px(8)},
                    place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
+        if (place == PanelPlace::bottom) draw_bottom_tabs(edit_);
         for (const Panel& panel : panels()) {
             if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
