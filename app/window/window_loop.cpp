@@ -27,8 +27,7 @@ namespace kd {
 
 namespace {
 
-constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
-constexpr double preview_wait_s = 0.03;
+constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016, preview_wait_s = 0.03;
 constexpr int frames_after_input = 2;
 constexpr float double_click_s = 0.3f;
 
@@ -306,6 +305,7 @@ void WindowLoop::apply_edit() {
 }
 
 void WindowLoop::carry_out(Action action) {
+    const StabilityView& chosen = edit_.window.stability;
     switch (action) {
         case Action::cancel_build: engine_->cancel_build(); break;
         case Action::dismiss_messages: engine_->dismiss_messages(); break;
@@ -313,10 +313,8 @@ void WindowLoop::carry_out(Action action) {
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
         case Action::copy_ray: copy_ray(); break;
-        case Action::run_case:
-            engine_->run_case(edit_.window.stability.id, edit_.window.stability.all_traversals);
-            break;
-        case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
+        case Action::run_case: engine_->run_case(chosen.id, chosen.all_traversals); break;
+        case Action::run_sweep: engine_->run_sweep(chosen.id); break;
         case Action::cancel_stability: engine_->cancel_stability(); break;
         case Action::measure_needs: engine_->measure_needs(); break;
         case Action::cancel_needs: engine_->cancel_needs(); break;
