@@ -144,7 +144,7 @@ std::string numbered(const std::string& path, std::size_t number) {
 
 std::vector<Pass> rays_of(const FlatScene& scene, const TraceConfig& config, const DivergenceOptions& options) {
     if (options.rays) return {*options.rays};
-    const SceneNeeds needs = scene_needs(scene, config);
+    const SceneNeeds needs = scene_needs(scene, KdTree{}, config);
     std::vector<Pass> passes{Pass::rt_prim};
     if (needs.shadows) passes.push_back(Pass::shade_prim);
     if (needs.reflections) passes.push_back(Pass::rt_refl);

@@ -28,8 +28,7 @@ namespace kd {
 
 namespace {
 
-constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
-constexpr double preview_wait_s = 0.03;
+constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016, preview_wait_s = 0.03;
 constexpr int frames_after_input = 2;
 
 std::string variable(const char* name) {

@@ -66,7 +66,7 @@ struct Recording {
     explicit Recording(const WalkRequest& asked) : request(asked), with_stack(asked.config) {
         view.scene = &asked.scene;
         view.tree = &asked.tree;
-        view.needs = scene_needs(asked.scene, asked.config);
+        view.needs = scene_needs(asked.scene, asked.tree, asked.config);
         if (info(asked.config.traversal).needs_boxes) view.boxes = node_boxes(asked.tree);
         with_stack.traversal = Traversal::stack;
     }

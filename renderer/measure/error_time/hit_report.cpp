@@ -1,4 +1,5 @@
 #include "renderer/measure/error_time/hit_report.h"
+#include "renderer/trace/upper_bound.h"
 
 #include <algorithm>
 #include <fmt/format.h>
