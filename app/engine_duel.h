@@ -7,22 +7,15 @@
 #include <string>
 
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/traversal.h"
 
 namespace kd {
 
-/// One frame by the CPU, then the same by the GPU. A negative time means: not measured.
+/// One frame by the CPU, then the same by the GPU.
 struct DuelRound {
-    double cpu_ms = -1;
-    double gl_ms = -1;
-    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};  // of gl_ms
-};
-
-/// Median and middle half of some numbers.
-struct Spread {
-    double median = 0, p25 = 0, p75 = 0;
-    int samples = 0;
+    TimeSample cpu, gl;
 };
 
 struct DuelState {
@@ -33,7 +26,8 @@ struct DuelState {
     std::deque<DuelRound> rounds;  // newest last, all of the same frame
     TimeSummary cpu, gl;
     std::array<TimeSummary, pass_count> passes;
-    Spread ratio;  // CPU time over GPU time, round by round
+    MedianInterval ratio;          // CPU time over GPU time, round by round
+    double clock_discrepancy = 0;  // of the GPU's, as TimedRounds has it
     std::string cpu_clock, gl_clock;
     Traversal traversal = Traversal::stack;  // of the frame timed
     bool outdated = true;                    // the rounds are of a frame that is no longer shown
@@ -44,8 +38,8 @@ struct DuelState {
     /// Rays per second, in millions, of a machine that takes `time` for the frame; 0 while nothing was measured.
     [[nodiscard]] double mrays_per_s(const TimeSummary& time) const;
     /// Enough rounds of both machines to say who is faster.
-    [[nodiscard]] bool decided() const { return ratio.samples >= least_rounds; }
-    static constexpr int least_rounds = 3;
+    [[nodiscard]] bool decided() const { return ratio.sure(); }
+    static constexpr int least_rounds = 6;  // that an interval of 95 % takes
     static constexpr std::size_t history = 60;
 };
 

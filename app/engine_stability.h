@@ -1,14 +1,12 @@
 // The stability suite behind the window: one case, or its sweep, in the background.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/engine_mailbox.h"
-#include "app/engine_worker.h"
+#include "app/engine_background.h"
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep_run.h"
 
@@ -29,7 +27,7 @@ struct StabilityState {
 class StabilityBench {
   public:
     /// Results go through `mailbox` into `state`; both must outlive this.
-    StabilityBench(Mailbox& mailbox, StabilityState& state) : mailbox_(mailbox), state_(state) {}
+    StabilityBench(Mailbox& mailbox, StabilityState& state) : state_(state), run_(mailbox) {}
 
     void run_case(const StabilityConfig& config);
     void run_sweep(const SweepConfig& config);
@@ -37,16 +35,10 @@ class StabilityBench {
     void cancel();
 
   private:
-    std::uint64_t begin(const std::string& id, bool sweeping);
-    /// Runs `job` in the background and tells what it threw.
-    void submit(std::uint64_t ticket, std::function<void(std::stop_token)> job);
-    /// On the owner's thread, unless something newer has begun.
-    void post(std::uint64_t ticket, std::function<void()> change);
+    void start(const std::string& id, bool sweeping, BackgroundRun::Job job);
 
-    Mailbox& mailbox_;
     StabilityState& state_;
-    std::uint64_t ticket_ = 0;
-    Worker worker_{Worker::Priority::low};  // last: joined before what its jobs use goes
+    BackgroundRun run_;
 };
 
 }  // namespace kd

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/geometry/input_error.h"
+#include "renderer/measure/error_time/sampling.h"
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/needs.h"
@@ -28,7 +29,7 @@ const GlStatus& Tracing::open() {
         status_.renderer = context_->renderer();
         status_.version = context_->version();
         status_.software = context_->is_software();
-        gl_ = make_gl_source(*context_);
+        gl_ = make_gl_source(*context_, compiling_);
     } catch (const std::exception& error) {
         status_.unavailable = error.what();
         status_.fails = dynamic_cast<const GlError*>(&error) != nullptr;
@@ -95,14 +96,33 @@ std::optional<DuelReply> Tracing::duel(const TraceRequest& request, const std::s
     }
 }
 
+std::optional<SampleReply> Tracing::sample(const TraceRequest& request, glm::dvec2 offset,
+                                           const std::stop_token& stop) {
+    try {
+        FrameTask task = task_of(request);
+        task.config.counters = false;
+        task.camera = shifted(task.camera, offset, request.width, request.height);
+        FrameSource& machine = source(request.tracer);
+        const std::shared_ptr<Frame> scratch = frames_.take(request.width, request.height);
+        machine.prepare(task, request.width, request.height);
+        const FrameTime time = machine.trace(task, *scratch, stop, {});
+        if (!time.complete) return std::nullopt;
+        machine.read(task, *scratch);
+        return SampleReply{scratch->colour, time.total_ms};
+    } catch (const ContextLost& lost) {
+        replace_context(lost);
+        return std::nullopt;  // another comes
+    }
+}
+
 void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& stop,
                            const std::function<void(TracedFrame)>& publish,
                            const std::function<void(float)>& progress) {
     forget_speed_of_others(request);
     FrameSource& machine = source(request.tracer);
     const FrameTask task = task_of(request);
-    const SceneNeeds needs = scene_needs(request.world->scene(), request.config);
-    const std::vector<std::string> omitted = left_out(needs, request.world->scene(), request.config);
+    const SceneNeeds needs = scene_needs(request.world->facts, request.config);
+    const std::vector<std::string> omitted = left_out(request.world->facts, request.config);
 
     const int first = plan_.first(request.width, request.height);
     for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {
@@ -149,6 +169,30 @@ int Tracing::scale_to_time(const TraceRequest& request) {
     return duel_scale_;
 }
 
+std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int rounds, const std::stop_token& stop,
+                                             const std::function<void(float)>& progress) {
+    FrameSource& machine = source(request.tracer);
+    const int scale = scale_to_time(request);
+    const int width = scaled_size(request.width, scale);
+    const int height = scaled_size(request.height, scale);
+    const std::shared_ptr<Frame> scratch = frames_.take(width, height);
+    FrameTask task = task_of(request);
+    const auto frame = [&](FeatureSet forced) {
+        task.config.forced = forced;
+        machine.prepare(task, width, height);
+        return machine.trace(task, *scratch, stop, {}).total_ms;
+    };
+    const auto go_on = [&](float done) {
+        progress(done);
+        return !stop.stop_requested();
+    };
+    const bool on_cpu = request.tracer == TracerKind::cpu;
+    const std::vector<Feature> all = removable(request.world->facts, request.config, on_cpu);
+    std::vector<FeatureTime> times = time_features(all, frame, rounds, go_on);
+    if (stop.stop_requested()) return {};
+    return times;
+}
+
 std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const std::stop_token& stop) {
     const int scale = scale_to_time(request);
     DuelReply reply;
@@ -174,13 +218,12 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
     };
     const FrameTime cpu = time(source(TracerKind::cpu));
     if (!cpu.complete) return std::nullopt;
-    reply.round.cpu_ms = cpu.total_ms;
+    reply.round.cpu = cpu.sample();
     reply.cpu_clock = cpu_->clock();
     if (open().available()) {
         const FrameTime gl = time(source(TracerKind::gl_fragment));
         if (!gl.complete) return std::nullopt;
-        reply.round.gl_ms = gl.total_ms;
-        reply.round.pass_ms = gl.pass_ms;
+        reply.round.gl = gl.sample();
         reply.gl_clock = gl_->clock();
     }
     return reply;

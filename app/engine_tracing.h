@@ -12,6 +12,7 @@
 #include "app/engine_levels.h"
 #include "app/engine_source.h"
 #include "app/engine_state.h"
+#include "renderer/measure/needs_costs.h"
 
 namespace kd {
 
@@ -39,10 +40,18 @@ struct DuelReply {
     std::string cpu_clock, gl_clock;
 };
 
+/// A frame's colours and its time in ms.
+struct SampleReply {
+    Image<Vec4> colour;
+    double ms = 0;
+};
+
 /// Used by one thread alone, from open() to its destruction: the GL context belongs to that thread.
 class Tracing {
   public:
-    explicit Tracing(OpenGl open_gl) : open_gl_(std::move(open_gl)) {}
+    /// `compiling` as in GlTracer::tell_compiling(), on the tracing thread.
+    explicit Tracing(OpenGl open_gl, std::function<void(int)> compiling = {})
+        : open_gl_(std::move(open_gl)), compiling_(std::move(compiling)) {}
 
     /// Opens GL where there is some, once, and tests it.
     const GlStatus& open();
@@ -52,8 +61,15 @@ class Tracing {
     void trace(const TraceRequest& request, const std::stop_token& stop,
                const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
 
+    /// A frame of the request through a camera that is off by `offset` pixels, without counters. Nothing where stopped.
+    std::optional<SampleReply> sample(const TraceRequest& request, glm::dvec2 offset, const std::stop_token& stop);
+
     /// One frame by each machine, without counters. Nothing where stopped.
     std::optional<DuelReply> duel(const TraceRequest& request, const std::stop_token& stop);
+
+    /// What each feature saves that the request leaves out, at the duel's size. Nothing where stopped.
+    std::vector<FeatureTime> time_needs(const TraceRequest& request, int rounds, const std::stop_token& stop,
+                                        const std::function<void(float)>& progress);
 
   private:
     FrameSource& source(TracerKind kind);
@@ -65,6 +81,7 @@ class Tracing {
     int scale_to_time(const TraceRequest& request);
 
     OpenGl open_gl_;
+    std::function<void(int)> compiling_;
     GlStatus status_;
     std::optional<std::chrono::steady_clock::time_point> lost_at_;  // when a context was lost last
     std::unique_ptr<Context> context_;                              // before the source that lives in it

@@ -63,6 +63,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"counters", counters_json(s.frame, rays)},
         {"unfinished", unfinished_json(s.frame)},
     };
+    if (s.needs) json["needs"] = *s.needs;
     if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
     return json;
 }

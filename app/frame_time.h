@@ -4,17 +4,21 @@
 #include <array>
 #include <cstdint>
 
+#include "renderer/measure/timing.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
 
-/// By the tracer's own clock. `pass_ms` is -1 where passes are not timed apart or did not run, `shaded_pixels` where not
+/// By the tracer's own clock. `wall_ms` is 0 where that is the steady clock, `pass_ms` -1 where passes are not timed apart or did not run, `shaded_pixels` where not
 /// counted.
 struct FrameTime {
     double total_ms = 0;
+    double wall_ms = 0;
     std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
     std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
     bool complete = true;  // false where stopped
+
+    [[nodiscard]] TimeSample sample() const { return {total_ms, wall_ms > 0 ? wall_ms : -1, pass_ms}; }
 };
 
 }  // namespace kd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "app/gl_frame.h"
 #include "app/machine_info.h"
@@ -46,7 +47,10 @@ class GlFrameTracer final : public FrameTracer {
     GlFrameTracer(const FlatScene& scene, const KdTree& tree, const GlChoices& choices)
         : choices_(choices), context_(Context::create(choices.context)),
           tracer_(std::make_unique<GlTracer>(*context_)) {
-        tracer_->upload(scene, tree);
+        setup_.upload_ms = wall_ms([&] {
+            tracer_->upload(scene, tree);
+            context_->gl().Finish();
+        });
     }
     ~GlFrameTracer() override { context_->make_current(); }
     GlFrameTracer(const GlFrameTracer&) = delete;
@@ -54,7 +58,10 @@ class GlFrameTracer final : public FrameTracer {
 
     void prepare(const TraceConfig& config, int width, int height) override {
         context_->make_current();
-        tracer_->prepare(complete(config), width, height);
+        const double ms = wall_ms([&] { tracer_->prepare(complete(config), width, height); });
+        if (prepared_ == config) return;
+        prepared_ = config;
+        setup_.compile_ms = ms;
     }
 
     FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
@@ -70,6 +77,8 @@ class GlFrameTracer final : public FrameTracer {
     }
     [[nodiscard]] std::string renderer() const override { return context_->renderer(); }
     [[nodiscard]] std::string clock() const override { return drawer_.clock(); }
+    [[nodiscard]] std::string driver() const override { return context_->version(); }
+    [[nodiscard]] SetupTimes setup() const override { return setup_; }
     [[nodiscard]] bool software_gl() const override { return context_->is_software(); }
 
   private:
@@ -81,17 +90,20 @@ class GlFrameTracer final : public FrameTracer {
 
     /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
     void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
-        if (warm_ == config) return;
+        if (std::ranges::find(warm_, config) != warm_.end()) return;
         const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
-        tracer_->draw(complete(config), camera, width, height, middle);
-        warm_ = config;
+        const double ms = wall_ms([&] { tracer_->draw(complete(config), camera, width, height, middle); });
+        if (prepared_ == config) setup_.compile_ms += ms;
+        warm_.push_back(config);
     }
 
     GlChoices choices_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<GlTracer> tracer_;
     GlFrameDrawer drawer_{tile_ms};
-    std::optional<TraceConfig> warm_;
+    std::optional<TraceConfig> prepared_;
+    std::vector<TraceConfig> warm_;
+    SetupTimes setup_;
 };
 
 }  // namespace

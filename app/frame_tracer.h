@@ -15,6 +15,12 @@
 
 namespace kd {
 
+/// What comes before the first frame, in ms; -1 where a tracer has no such step. Drivers may answer compilations from a cache.
+struct SetupTimes {
+    double upload_ms = -1;   // scene and tree, until the GPU has them
+    double compile_ms = -1;  // programs, targets and tables of the configuration prepared last
+};
+
 class FrameTracer {
   public:
     virtual ~FrameTracer() = default;
@@ -29,8 +35,10 @@ class FrameTracer {
     /// The frame traced last.
     [[nodiscard]] virtual Frame frame(const TraceConfig& config) = 0;
 
-    [[nodiscard]] virtual std::string renderer() const = 0;  // what it runs on
-    [[nodiscard]] virtual std::string clock() const = 0;     // what its times are read from
+    [[nodiscard]] virtual std::string renderer() const = 0;          // what it runs on
+    [[nodiscard]] virtual std::string clock() const = 0;             // what its times are read from
+    [[nodiscard]] virtual std::string driver() const { return {}; }  // GL_VERSION
+    [[nodiscard]] virtual SetupTimes setup() const { return {}; }
     [[nodiscard]] virtual bool software_gl() const { return false; }
 };
 

@@ -8,6 +8,7 @@ namespace {
 
 void add(const GlFrameReport& report, FrameTime& time) {
     time.total_ms += report.total_ms;
+    time.wall_ms += report.wall_ms;
     for (std::size_t pass = 0; pass < pass_count; ++pass) {
         if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
         std::int64_t& shaded = time.shaded_pixels[pass];
@@ -17,10 +18,17 @@ void add(const GlFrameReport& report, FrameTime& time) {
 
 }  // namespace
 
+DispatchPlan& GlFrameDrawer::plan_for(const GlTraceConfig& config) {
+    const auto known = std::ranges::find(plans_, config, &Planned::config);
+    if (known != plans_.end()) return known->plan;
+    if (plans_.size() == most_plans) plans_.erase(plans_.begin());
+    plans_.push_back({config, DispatchPlan(tile_ms_)});
+    return plans_.back().plan;
+}
+
 FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
                               int height, const std::stop_token& stop, const std::function<void(float)>& progress) {
-    if (!(config == planned_for_)) plan_.reset();
-    planned_for_ = config;
+    DispatchPlan& plan = plan_for(config);
     FrameTime time;
     const std::int64_t pixels = std::int64_t(width) * height;
     for (std::int64_t done = 0; done < pixels;) {
@@ -28,9 +36,9 @@ FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, con
             time.complete = false;
             break;
         }
-        const Tile tile = plan_.next(done, width, height);
+        const Tile tile = plan.next(done, width, height);
         const GlFrameReport report = tracer.draw(config, camera, width, height, tile);
-        plan_.learn(report.total_ms, tile);
+        plan.learn(report.total_ms, tile);
         clock_ = report.clock;
         add(report, time);
         done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "app/frame_time.h"
 #include "renderer/gl/dispatch_plan.h"
@@ -14,19 +15,28 @@ namespace kd {
 /// Draws frames in tiles of about `tile_ms` milliseconds, between which work can be stopped.
 class GlFrameDrawer {
   public:
-    explicit GlFrameDrawer(double tile_ms) : plan_(tile_ms) {}
+    explicit GlFrameDrawer(double tile_ms) : tile_ms_(tile_ms) {}
 
     /// The frame stays in the tracer's targets; incomplete where stopped.
     FrameTime draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
                    const std::stop_token& stop, const std::function<void(float)>& progress);
     /// Another scene: its speed is not known.
-    void forget_speed() { plan_.reset(); }
+    void forget_speed() { plans_.clear(); }
     /// What the times were read from.
     [[nodiscard]] const std::string& clock() const { return clock_; }
 
   private:
-    DispatchPlan plan_;
-    GlTraceConfig planned_for_;
+    /// Configurations that take turns keep what is known of their speed.
+    struct Planned {
+        GlTraceConfig config;
+        DispatchPlan plan;
+    };
+    static constexpr std::size_t most_plans = 16;
+
+    DispatchPlan& plan_for(const GlTraceConfig& config);
+
+    double tile_ms_;
+    std::vector<Planned> plans_;
     std::string clock_ = "not read yet";
 };
 

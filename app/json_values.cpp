@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
+#include "renderer/scene/needs.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -12,6 +13,13 @@ namespace kd {
 namespace {
 
 Json json_of(Vec3 v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
+
+Json names_of(FeatureSet forced) {
+    Json names = Json::array();
+    for (const FeatureInfo& feature : features())
+        if (forced.has(feature.id)) names.push_back(feature.name);
+    return names;
+}
 
 }  // namespace
 
@@ -57,6 +65,7 @@ Json json_of(const ViewConfig& view) {
                        {"rays", json_key(ray_names[std::size_t(view.map.rays)])},
                        {"tile_width", view.map.tile_width},
                        {"tile_height", view.map.tile_height},
+                       {"schedule", info(view.map.schedule).name},
                        {"colormap", heat.colormap},
                        {"log", heat.logarithmic},
                        {"opacity", json_number(heat.opacity)}};
@@ -82,6 +91,7 @@ Json json_of(const Session& s) {
               {"shadows", s.trace.shadows},
               {"reflection_depth", s.trace.reflection_depth},
               {"min_contribution", json_number(s.trace.least_contribution)},
+              {"forced", names_of(s.trace.forced)},
               {"threads", s.threads},
               {"build", json_of(s.build)}};
     if (s.camera) json["camera"] = json_of(*s.camera);
@@ -131,6 +141,26 @@ Json json_of(const CounterTotals& c) {
             {"restarts", c.restarts},
             {"backtracks", c.backtracks},
             {"stack_depth", c.stack_depth}};
+}
+
+Json json_of(const TimeSummary& time) {
+    if (time.samples == 0) return nullptr;
+    return {{"median", time.median_ms}, {"p25", time.p25_ms}, {"p75", time.p75_ms}, {"samples", time.samples}};
+}
+
+Json json_of(const MedianInterval& value) {
+    if (value.samples == 0) return nullptr;
+    return {{"median", value.median},
+            {"low", value.low},
+            {"high", value.high},
+            {"confidence", value.confidence},
+            {"samples", value.samples}};
+}
+
+Json json_of(const MeasuredOn& on) {
+    Json json;
+    for (const auto& [name, value] : on.facts()) json[name] = value;
+    return json;
 }
 
 std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {

@@ -9,7 +9,10 @@
 #include "app/common_options.h"
 #include "app/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
+#include "renderer/measure/measured_on.h"
 #include "renderer/measure/ray_count.h"
+#include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -28,6 +31,11 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const TreeStats& stats);
 /// Rays and every counter of the table.
 [[nodiscard]] Json json_of(const CounterTotals& totals);
+/// null where nothing was measured.
+[[nodiscard]] Json json_of(const TimeSummary& time);
+/// median, low, high, confidence, samples; null without samples.
+[[nodiscard]] Json json_of(const MedianInterval& value);
+[[nodiscard]] Json json_of(const MeasuredOn& on);
 
 /// Sums over the pixels of each pass, with the number of rays traced.
 [[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);

@@ -1,9 +1,14 @@
 #include "app/machine_info.h"
 
+#include <cstdlib>
+#include <ctime>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <unistd.h>
+#include <version.h>
 
+#include "app/frame_tracer.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
@@ -25,6 +30,28 @@ std::string cpu_model() {
 std::string cpu_renderer(int threads) {
     const int used = threads > 0 ? threads : default_threads();
     return fmt::format("{}, {}, {} thread{}", cpu_model(), cpu_target_name(), used, used == 1 ? "" : "s");
+}
+
+MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl) {
+    MeasuredOn on;
+    on.date = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+    on.cpu = cpu_model();
+    on.instructions = cpu_target_name();
+    on.threads = threads > 0 ? threads : default_threads();
+    if (::getloadavg(&on.load, 1) != 1) on.load = -1;
+    if (gl) {
+        on.renderer = gl->renderer();
+        on.driver = gl->driver();
+        on.software_gl = gl->software_gl();
+        on.gl_clock = gl->clock();
+    }
+    on.version = build::version;
+    on.commit = build::commit;
+    on.compiler = build::compiler;
+    on.flags = build::flags;
+    on.build_type = build::build_type;
+    on.seed = seed;
+    return on;
 }
 
 void check_frame_memory(int width, int height) {

@@ -89,6 +89,14 @@ void check_standard_output() {
         throw InputError(fmt::format("standard output: cannot be written to: {}", std::strerror(ENOSPC)));
 }
 
+void make_output_folder(std::string_view option, const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder))
+        throw InputError(
+            fmt::format("{}: cannot make the folder '{}': {}; choose another", option, shown(folder), error.message()));
+}
+
 void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs) {
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {
         if (output->path.empty()) continue;

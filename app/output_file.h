@@ -23,6 +23,9 @@ struct InputFile {
 /// InputError where the program's standard output is closed, or a device that takes nothing.
 void check_standard_output();
 
+/// Makes the folder and those above it where they are missing. InputError naming the option.
+void make_output_folder(std::string_view option, const std::string& folder);
+
 /// InputError naming the option where a file cannot be written, is one of `inputs`, or is written twice. Tries each
 /// folder by writing a small file in it and removing that again; what stands there already is left alone.
 void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<InputFile>& inputs);

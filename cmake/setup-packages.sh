@@ -9,14 +9,14 @@ build_packages=(
     libimgui-dev libstb-dev libglfw3-dev libglm-dev libtbb-dev libhwy-dev
     libegl-dev libegl1 libegl-mesa0 libgl-dev libgl1-mesa-dri
     libtinygltf-dev nlohmann-json3-dev libcli11-dev libfmt-dev libpng-dev libtinyexr-dev
-    fonts-inter fonts-dejavu-core
+    fonts-inter fonts-dejavu-core gnuplot-nox
     libosmesa6-dev libosmesa6)
 test_packages=(
     libgtest-dev librapidcheck-dev libembree-dev assimp-testmodels
     xvfb xauth xdotool imagemagick)
 fuzz_packages=(clang libclang-rt-14-dev)
 # Not every distribution has these; the program and its tests do without.
-optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core ccache xdotool"
+optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core gnuplot-nox ccache xdotool"
 optional+=" clang libclang-rt-14-dev "
 
 case "${1:-run}" in

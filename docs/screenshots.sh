@@ -87,6 +87,17 @@ small_pictures() {
     shoot stability-sweep
     stop_window
 
+    open rooms --tracer gl-fragment
+    press_all x
+    click_on "NEEDS/measure"
+    wait_for '^needs.saved_ms.textures=' 280
+    wait_for '^needs.active=false$'
+    click_on "NEEDS/normals"
+    wait_for '^settings.forced.0=normals$'
+    hover 600 20
+    shoot needs
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1

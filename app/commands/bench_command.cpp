@@ -1,17 +1,17 @@
 // bench: frames per tracer and traversal, timed in turn.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
 
+#include "app/bench_report.h"
 #include "app/commands/commands.h"
-#include "app/counted.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/machine_info.h"
 #include "app/progress_line.h"
-#include "app/text_table.h"
 #include "app/typed_options.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
@@ -27,37 +27,11 @@ struct BenchOptions : CommonOptions {
     bool json = false;
 };
 
-/// One row: a tracer with a traversal, its time and what its rays did.
-struct BenchRow {
-    TracerKind tracer;
-    Traversal traversal;
-    TimeSummary time;
-    CounterTotals counters;
-    std::string clock, renderer;
-    bool software_gl = false;
-};
-
-/// Everything about one scene that its rows share.
-struct BenchScene {
-    Session session;
-    FlatScene scene;
-    KdTree tree;
-    BuildReport build;
-    PinholeCamera camera{};
-    RayCounts rays{};
-    std::vector<BenchRow> rows;
-    std::vector<std::string> notes;
-
-    [[nodiscard]] std::int64_t ray_sum() const { return rays[0] + rays[1] + rays[2] + rays[3]; }
-    [[nodiscard]] double mrays_per_s(const BenchRow& row) const {
-        return row.time.median_ms > 0 ? double(ray_sum()) * 1e-3 / row.time.median_ms : 0.0;
-    }
-};
+using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
 
 /// The tracers asked for; GL that is not there becomes a note unless it was named.
-std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> open_tracers(const BenchOptions& options,
-                                                                              BenchScene& bench) {
-    std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> tracers;
+std::vector<OpenTracer> open_tracers(const BenchOptions& options, BenchScene& bench) {
+    std::vector<OpenTracer> tracers;
     const GlChoices gl{.context = options.context.value_or(ContextKind::automatic), .early_z = bench.session.early_z};
     for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
         if (options.tracer && *options.tracer != kind) continue;
@@ -86,7 +60,11 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             TraceConfig config = s.trace;
             config.traversal = traversal;
             const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));
-            BenchRow row{kind, traversal, {}, {}, {}, tracer->renderer(), tracer->software_gl()};
+            BenchRow row;
+            row.tracer = kind;
+            row.traversal = traversal;
+            row.renderer = tracer->renderer();
+            row.software_gl = tracer->software_gl();
             try {
                 // Counters come from a frame of their own: counting is not free.
                 tracer->prepare(config, s.width, s.height);
@@ -105,70 +83,25 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             row.clock = tracer->clock();
             config.counters = false;
             tracer->prepare(config, s.width, s.height);
+            // The first draw ends what the compiler began.
+            tracer->trace(config, bench.camera, s.width, s.height, context.stop);
+            check_stop(context);
+            row.setup = tracer->setup();
             bench.rows.push_back(std::move(row));
-            contestants.push_back(
-                {name, [&, tracer = tracer.get(), config, name] {
-                     check_stop(context);
-                     progress.show(0.0f, name);
-                     const double ms = tracer->trace(config, bench.camera, s.width, s.height, context.stop).total_ms;
-                     check_stop(context);
-                     return ms;
-                 }});
+            contestants.push_back({name, [&, tracer = tracer.get(), config, name] {
+                                       check_stop(context);
+                                       progress.show(0.0f, name);
+                                       const FrameTime time =
+                                           tracer->trace(config, bench.camera, s.width, s.height, context.stop);
+                                       check_stop(context);
+                                       return time.sample();
+                                   }});
         }
-    const std::vector<TimeSummary> times = time_interleaved(contestants, options.warmup, options.rounds);
-    for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].time = times[i];
-}
-
-Json json_of(const BenchScene& bench, const BenchRow& row) {
-    Json counters = kd::json_of(row.counters);
-    counters.erase("rays");
-    return {{"scene", bench.session.scene},
-            {"tracer", name_of(row.tracer)},
-            {"traversal", info(row.traversal).name},
-            {"builder", bench.session.build.builder},
-            {"width", bench.session.width},
-            {"height", bench.session.height},
-            {"rays", bench.ray_sum()},
-            {"ms_median", row.time.median_ms},
-            {"ms_p25", row.time.p25_ms},
-            {"ms_p75", row.time.p75_ms},
-            {"mrays_per_s", bench.mrays_per_s(row)},
-            {"clock", row.clock},
-            {"renderer", row.renderer},
-            {"build_ms", 1e3 * bench.build.seconds},
-            {"counters", counters}};
-}
-
-void print(std::ostream& out, const BenchOptions& options, const BenchScene& bench) {
-    using enum TextTable::Align;
-    const Session& s = bench.session;
-    out << fmt::format("{}: {}, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
-                       "{} reflection shadow\n",
-                       s.scene, counted(bench.scene.triangles.size(), "triangle"), s.build.builder,
-                       1e3 * bench.build.seconds, s.width, s.height, bench.ray_sum(), bench.rays[0], bench.rays[1],
-                       bench.rays[2], bench.rays[3]);
-    TextTable table({{"tracer", left},
-                     {"traversal", left},
-                     {"ms median"},
-                     {"p25"},
-                     {"p75"},
-                     {"Mray/s"},
-                     {"steps/ray"},
-                     {"tests/ray"},
-                     {"clock", left},
-                     {"renderer", left}});
-    const double rays = double(std::max<std::int64_t>(bench.ray_sum(), 1));
-    for (const BenchRow& row : bench.rows)
-        table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name),
-                       fmt::format("{:.2f}", row.time.median_ms), fmt::format("{:.2f}", row.time.p25_ms),
-                       fmt::format("{:.2f}", row.time.p75_ms), fmt::format("{:.2f}", bench.mrays_per_s(row)),
-                       fmt::format("{:.1f}", double(row.counters.interior_first + row.counters.interior_again) / rays),
-                       fmt::format("{:.1f}", double(row.counters.triangle_tests) / rays), row.clock,
-                       row.renderer + (row.software_gl ? " (software, not a GPU)" : "")});
-    table.print(out);
-    for (const std::string& note : bench.notes) out << "note: " << note << '\n';
-    out << fmt::format("Whole frames; {} in turn after {} warm-up; compiling, uploading and counting apart.\n",
-                       counted(options.rounds, "round"), options.warmup);
+    const std::vector<TimedRounds> times =
+        time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});
+    for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].timed = times[i];
+    const auto gl = std::ranges::find(tracers, TracerKind::gl_fragment, &OpenTracer::first);
+    bench.on = measured_on(s.threads, s.seed, gl == tracers.end() ? nullptr : gl->second.get());
 }
 
 BenchScene open(const BenchOptions& options, const std::string& name, CommandContext& context) {
@@ -195,11 +128,11 @@ int run(const CLI::App& app, const BenchOptions& options, CommandContext& contex
         BenchScene bench = open(options, name, context);
         measure(options, bench, context);
         if (options.json) {
-            for (const BenchRow& row : bench.rows) json.push_back(json_of(bench, row));
+            for (const BenchRow& row : bench.rows) json.push_back(bench_json(bench, row));
             for (const std::string& note : bench.notes) context.err << "kdscope: " << note << '\n';
         } else {
             if (name != options.scenes.front()) context.out << '\n';
-            print(context.out, options, bench);
+            print(context.out, bench, options.warmup);
             context.out.flush();
         }
     }

@@ -72,14 +72,6 @@ ViewConfig view_of(const Picture& picture, const GalleryScene& scene) {
     return view;
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder))
-        throw InputError(
-            fmt::format("--output: cannot make the folder '{}': {}; choose another", folder, error.message()));
-}
-
 std::string path_of(const GalleryOptions& options, const GalleryScene& scene, const Picture& picture) {
     return (fs::path(options.folder) / fmt::format("{}-{}.png", file_stem(scene.name), picture.name)).string();
 }
@@ -88,7 +80,7 @@ int run(const CLI::App& app, const GalleryOptions& options, CommandContext& cont
     note_idle(app, shared_uses(options, options.session_for(scene_at_random), false), context);
     const std::vector<GalleryScene> scenes = gallery_scenes();
     require_context(options, false);
-    make_folder(options.folder);
+    make_output_folder("--output", options.folder);
     std::vector<OutputFile> outputs;
     for (const GalleryScene& scene : scenes)
         for (const Picture& picture : pictures) outputs.push_back({"--output", path_of(options, scene, picture)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/engine.h"
 #include "app/window/camera_moves.h"
 #include "renderer/measure/stability/stress_scene.h"
 #include "renderer/trace/traversal.h"
@@ -102,9 +103,28 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.window.pinned.reset();
 }
 
-void switch_bottom(Edit& edit) {
+void switch_bottom(Edit& edit, const std::string& panel) {
     std::string& bottom = edit.window.bottom;
-    bottom = bottom == "TIME" ? "STABILITY" : "TIME";
+    bottom = bottom == panel ? "TIME" : panel;
+}
+
+bool carry_out(Action action, const Edit& edit, Engine& engine) {
+    const StabilityView& stability = edit.window.stability;
+    switch (action) {
+        case Action::cancel_build: engine.cancel_build(); return true;
+        case Action::dismiss_messages: engine.dismiss_messages(); return true;
+        case Action::run_case: engine.run_case(stability.id, stability.all_traversals); return true;
+        case Action::run_sweep: engine.run_sweep(stability.id); return true;
+        case Action::cancel_stability: engine.cancel_stability(); return true;
+        case Action::run_paper: engine.run_paper(false); return true;
+        case Action::run_paper_quick: engine.run_paper(true); return true;
+        case Action::cancel_paper: engine.cancel_paper(); return true;
+        case Action::measure_needs: engine.measure_needs(); return true;
+        case Action::cancel_needs: engine.cancel_needs(); return true;
+        case Action::sample_picture: engine.sample_picture(edit.window.error_time.sampler); return true;
+        case Action::stop_sampling: engine.stop_sampling(); return true;
+        default: return false;
+    }
 }
 
 void show_stress(Edit& edit, const std::string& scene) {

@@ -10,6 +10,8 @@
 
 namespace kd {
 
+class Engine;  // app/engine.h
+
 /// Where the legend lies over the picture.
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
@@ -25,6 +27,18 @@ struct StabilityView {
     int row = -1;              // of the verdicts whose reason is shown; none below 0
     std::string scene_before;  // that a case's scene took the place of
     std::optional<Camera> camera_before;
+};
+
+/// What a person looks at in PAPER.
+struct PaperView {
+    std::string figure;     // by name; the first where there is none such
+    bool verdicts = false;  // rather than a figure
+};
+
+/// What a person does in ERROR.
+struct ErrorTimeView {
+    Sampler sampler = Sampler::independent;
+    std::vector<Session> before;  // clicks on configurations, newest last: what each took the place of
 };
 
 /// What a person has chosen about the window rather than about the picture.
@@ -48,6 +62,8 @@ struct WindowSettings {
     int timing_scale = 0;                   // of the frames timed: 0 = chosen by the program, 1 = every pixel, 2 = half
     std::string bottom = "TIME";            // the panel shown at the bottom
     StabilityView stability;
+    PaperView paper;
+    ErrorTimeView error_time;
 };
 
 enum class Action {
@@ -64,6 +80,13 @@ enum class Action {
     run_case,      // of STABILITY
     run_sweep,
     cancel_stability,
+    run_paper,        // of PAPER
+    run_paper_quick,  // small pictures, few rounds
+    cancel_paper,
+    measure_needs,  // of NEEDS
+    cancel_needs,
+    sample_picture,  // of ERROR
+    stop_sampling,
 };
 
 struct Edit {
@@ -78,6 +101,9 @@ struct Edit {
 };
 
 inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
+
+/// The bottom panel that has efficiency against width measured while it is shown.
+inline constexpr const char* divergence_panel = "DIVERGENCE";
 
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
@@ -100,8 +126,8 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
-/// STABILITY at the bottom, or TIME again.
-void switch_bottom(Edit& edit);
+/// That panel at the bottom, or TIME again.
+void switch_bottom(Edit& edit, const std::string& panel);
 /// A scene of the case chosen in STABILITY; the one before it is kept in mind.
 void show_stress(Edit& edit, const std::string& scene);
 void leave_stress(Edit& edit);
@@ -124,6 +150,8 @@ void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
 /// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
 void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
+/// Does what is the engine's to do; false where it is not.
+[[nodiscard]] bool carry_out(Action action, const Edit& edit, Engine& engine);
 /// Puts the orbit centre where the pinned or hovered pixel's ray hit.
 void focus(const EngineState& state, Edit& edit);
 }  // namespace edits

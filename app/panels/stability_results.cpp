@@ -135,10 +135,13 @@ void draw_charts(const EngineState& state, const StabilityCase& info, Edit& edit
     std::optional<double> marked;
     for (const double value : sweep->values)
         if (edit.session.scene == stress_name(sweep->id, value)) marked = value;
-    const std::optional<double> left = chart::draw("##faults", faults, size, marked);
+    const chart::DrawOptions options{size, "Click: show the scene at this value.", marked};
+    const std::optional<chart::Pick> left = chart::draw("##faults", faults, options);
     ImGui::SameLine(0, gap);
-    const std::optional<double> right = chart::draw("##ulps", ulps, size, marked);
-    if (left || right) edits::show_stress(edit, stress_name(sweep->id, left ? *left : *right));
+    const std::optional<chart::Pick> right = chart::draw("##ulps", ulps, options);
+    const auto x_of = [](const Chart& chart, chart::Pick p) { return chart.curves[p.curve].points[p.point].x; };
+    if (left || right)
+        edits::show_stress(edit, stress_name(sweep->id, left ? x_of(faults, *left) : x_of(ulps, *right)));
 }
 
 }  // namespace

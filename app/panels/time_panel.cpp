@@ -48,19 +48,18 @@ void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time
     ImGui::EndGroup();
 }
 
-/// "CPU 1.49× faster": who, and how much, from CPU time over GPU time; nobody where the middle half of the rounds disagree.
-std::string verdict(const Spread& spread) {
-    if (spread.p25 < 1 && spread.p75 > 1) return "no difference seen";
-    const double ratio = spread.median;
-    const double factor = ratio < 1 ? 1 / ratio : ratio;
+/// "CPU 1.49× faster": who, and how much, from CPU time over GPU time.
+std::string verdict(const MedianInterval& ratio) {
+    if (ratio.holds(1)) return "no difference seen";
+    const double factor = ratio.median < 1 ? 1 / ratio.median : ratio.median;
     const std::string text = factor < 99.5 ? fmt::format("{:.2f}", factor) : number_text(std::round(factor));
-    return text == "1.00" ? "equally fast" : fmt::format("{} {}× faster", ratio < 1 ? "CPU" : "GPU", text);
+    return fmt::format("{} {}× faster", ratio.median < 1 ? "CPU" : "GPU", text);
 }
 
-std::string verdict_spread(const Spread& ratio) {
+std::string verdict_interval(const MedianInterval& ratio) {
     const bool cpu_wins = ratio.median < 1;
-    const double low = cpu_wins ? 1 / ratio.p75 : ratio.p25;
-    const double high = cpu_wins ? 1 / ratio.p25 : ratio.p75;
+    const double low = cpu_wins ? 1 / ratio.high : ratio.low;
+    const double high = cpu_wins ? 1 / ratio.low : ratio.high;
     return fmt::format("{:.2f} – {:.2f}×, {} rounds", low, high, ratio.samples);
 }
 
@@ -101,7 +100,7 @@ void draw_verdict(const EngineState& state, Edit& edit) {
     widgets::note("the same frame");
     if (duel.decided()) {
         large(verdict(duel.ratio), shade(duel, theme::text));
-        widgets::note(verdict_spread(duel.ratio));
+        widgets::note(verdict_interval(duel.ratio));
     } else {
         large(none, shade(duel, theme::text));
         const bool no_gpu = state.gl.known && !state.gl.available();
@@ -110,7 +109,8 @@ void draw_verdict(const EngineState& state, Edit& edit) {
     }
     ImGui::EndGroup();
     widgets::hint(fmt::format(
-        "CPU time over GPU time of each round: median and middle half. Shown from {} rounds on.{}",
+        "CPU time over GPU time of each round: the median and the interval that it lies in with 95 % confidence (sign "
+        "test). Shown from {} rounds on; no difference is seen where the interval holds 1.{}",
         DuelState::least_rounds,
         duel.scale > 1 ? "\n\nA smaller frame than the picture is timed: as much of the scene, with fewer pixels."
                        : ""));
@@ -137,6 +137,8 @@ std::string clocks(const EngineState& state) {
         "rounds. Pauses while you work.\nCPU clock: {}.",
         DuelState::history, state.duel.cpu_clock.empty() ? "steady clock" : state.duel.cpu_clock);
     if (!state.duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", state.duel.gl_clock);
+    if (state.duel.clock_discrepancy != 0)
+        text += fmt::format("\nThe steady clock says {:+.1f} % of that.", 100 * state.duel.clock_discrepancy);
     if (state.gl.software) text += "\nThis GPU is a program: llvmpipe runs the shaders on the CPU.";
     return text;
 }
@@ -144,8 +146,8 @@ std::string clocks(const EngineState& state) {
 void draw_plot(const EngineState& state) {
     plot::Series cpu{shade(state.duel, theme::cpu), {}}, gpu{shade(state.duel, theme::gpu), {}};
     for (const DuelRound& round : state.duel.rounds) {
-        cpu.values.push_back(float(round.cpu_ms));
-        if (round.gl_ms >= 0) gpu.values.push_back(float(round.gl_ms));
+        cpu.values.push_back(float(round.cpu.ms));
+        if (round.gl.ms >= 0) gpu.values.push_back(float(round.gl.ms));
     }
     plot::draw("##times", {cpu, gpu}, int(DuelState::history), "ms");
     Places::note("plot");

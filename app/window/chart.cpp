@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <vector>
 
+#include "app/window/chart_marks.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
@@ -13,21 +15,6 @@ namespace kd::chart {
 
 namespace {
 
-/// Curves that lie upon each other stay to be told apart: those below are wider.
-struct Look {
-    ImU32 colour;
-    float width, radius;
-};
-
-Look look_of(Ink ink) {
-    switch (ink) {
-        case Ink::gpu: return {theme::gpu, 5, 5};
-        case Ink::cpu: return {theme::cpu, 2, 3};
-        case Ink::reference: break;
-    }
-    return {theme::text, 1, 3};
-}
-
 /// Where the plane of the chart lies on the screen.
 struct Plane {
     ImVec2 low, high;  // its upper left and lower right corner
@@ -35,34 +22,14 @@ struct Plane {
 
     [[nodiscard]] float x(double value) const { return low.x + (high.x - low.x) * float(chart.x.position(value)); }
     [[nodiscard]] float y(double value) const { return high.y - (high.y - low.y) * float(chart.y.position(value)); }
-};
 
-void draw_stroke(ImDrawList& list, ImVec2 a, ImVec2 b, const Look& look, Stroke stroke) {
-    const float width = std::max(1.0f, look.width * theme::px(10) / 10);
-    if (stroke == Stroke::solid) return list.AddLine(a, b, look.colour, width);
-    const float dash = theme::px(stroke == Stroke::dashed ? 7 : 2), period = dash + theme::px(4);
-    const float length = std::hypot(b.x - a.x, b.y - a.y);
-    const auto at = [&](float s) { return ImVec2{a.x + (b.x - a.x) * s / length, a.y + (b.y - a.y) * s / length}; };
-    for (float s = 0; s < length; s += period) list.AddLine(at(s), at(std::min(s + dash, length)), look.colour, width);
-}
-
-/// Circles for the CPU, squares for the GPU, diamonds for what both are held against; open where nothing was seen.
-void draw_marker(ImDrawList& list, ImVec2 p, Ink ink, bool open) {
-    const Look look = look_of(ink);
-    const float r = theme::px(look.radius), thick = theme::px(15) / 10;
-    const ImU32 inside = theme::sunken;
-    if (ink == Ink::cpu) {
-        list.AddCircleFilled(p, r, open ? inside : look.colour);
-        if (open) list.AddCircle(p, r, look.colour, 0, thick);
-    } else if (ink == Ink::gpu) {
-        list.AddRectFilled({p.x - r, p.y - r}, {p.x + r, p.y + r}, open ? inside : look.colour);
-        if (open) list.AddRect({p.x - r, p.y - r}, {p.x + r, p.y + r}, look.colour, 0, 0, thick);
-    } else {
-        const ImVec2 top{p.x, p.y - r}, right{p.x + r, p.y}, bottom{p.x, p.y + r}, left{p.x - r, p.y};
-        list.AddQuadFilled(top, right, bottom, left, open ? inside : look.colour);
-        if (open) list.AddQuad(top, right, bottom, left, look.colour, 1);
+    /// Of a point's mark; at the end of its bar where it has one.
+    [[nodiscard]] ImVec2 at(std::size_t curve, const ChartPoint& point) const {
+        if (chart.curves[curve].form != Form::bars) return {x(point.x), y(point.y)};
+        const ChartInterval bar = bar_extent(chart, curve, point.x);
+        return {x((bar.low + bar.high) / 2), y(point.y)};
     }
-}
+};
 
 ImVec2 size_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()); }
 
@@ -86,42 +53,125 @@ void draw_axes(ImDrawList& list, const Plane& plane) {
     }
 }
 
-void draw_curve(ImDrawList& list, const Plane& plane, const ChartCurve& curve) {
+void draw_whiskers(ImDrawList& list, const Plane& plane, const ChartPoint& point, ImVec2 at, ImU32 colour) {
+    if (const auto& h = point.y_interval) draw_whisker(list, {at.x, plane.y(h->low)}, {at.x, plane.y(h->high)}, colour);
+    if (const auto& w = point.x_interval) draw_whisker(list, {plane.x(w->low), at.y}, {plane.x(w->high), at.y}, colour);
+}
+
+void draw_curve(ImDrawList& list, const Plane& plane, std::size_t index) {
+    const ChartCurve& curve = plane.chart.curves[index];
     const Look look = look_of(curve.ink);
     std::vector<ImVec2> at;
-    for (const ChartPoint& point : curve.points) at.push_back({plane.x(point.x), plane.y(point.y)});
-    for (std::size_t i = 1; i < at.size(); ++i) draw_stroke(list, at[i - 1], at[i], look, curve.stroke);
-    for (std::size_t i = 0; i < at.size(); ++i) draw_marker(list, at[i], curve.ink, curve.points[i].bound);
+    for (const ChartPoint& point : curve.points) at.push_back(plane.at(index, point));
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const ChartPoint& point = curve.points[i];
+        if (curve.form == Form::line && i > 0) draw_stroke(list, at[i - 1], at[i], look, curve.stroke);
+        if (curve.form == Form::bars) {
+            const ChartInterval bar = bar_extent(plane.chart, index, point.x);
+            list.AddRectFilled({plane.x(bar.low), at[i].y}, {plane.x(bar.high), plane.high.y}, look.colour);
+        }
+    }
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const ChartPoint& point = curve.points[i];
+        const bool bar = curve.form == Form::bars;
+        draw_whiskers(list, plane, point, at[i], bar ? theme::text : look.colour);
+        if (!bar) draw_marker(list, at[i], marker_of(curve), look, point.bound);
+        if (point.marked) draw_ring(list, at[i], 6, theme::text);
+        if (!point.label.empty())
+            list.AddText({at[i].x + theme::px(7), at[i].y - ImGui::GetTextLineHeight()}, theme::text,
+                         point.label.c_str());
+    }
 }
 
-/// GPU below CPU below the reference.
+/// GPU below CPU below all others: the order of the inks, but for the first two.
 void draw_curves(ImDrawList& list, const Plane& plane) {
-    for (const Ink ink : {Ink::gpu, Ink::cpu, Ink::reference})
-        for (const ChartCurve& curve : plane.chart.curves)
-            if (curve.ink == ink) draw_curve(list, plane, curve);
+    const std::vector<ChartCurve>& curves = plane.chart.curves;
+    const auto draw_those = [&](const std::function<bool(Ink)>& wanted) {
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            if (wanted(curves[i].ink)) draw_curve(list, plane, i);
+    };
+    draw_those([](Ink ink) { return ink == Ink::gpu; });
+    draw_those([](Ink ink) { return ink == Ink::cpu; });
+    draw_those([](Ink ink) { return ink != Ink::gpu && ink != Ink::cpu; });
 }
 
-/// The x of the points nearest to the mouse.
-std::optional<double> nearest_x(const Plane& plane) {
-    std::optional<double> nearest;
-    const float mouse = ImGui::GetIO().MousePos.x;
-    for (const ChartCurve& curve : plane.chart.curves)
-        for (const ChartPoint& point : curve.points)
-            if (!nearest || std::abs(plane.x(point.x) - mouse) < std::abs(plane.x(*nearest) - mouse)) nearest = point.x;
-    return nearest;
+void draw_lines(ImDrawList& list, const Plane& plane) {
+    for (const ChartLine& line : plane.chart.lines) {
+        const float x = plane.x(line.value), y = plane.y(line.value);
+        const ImVec2 from = line.upright ? ImVec2{x, plane.low.y} : ImVec2{plane.low.x, y};
+        const ImVec2 to = line.upright ? ImVec2{x, plane.high.y} : ImVec2{plane.high.x, y};
+        draw_stroke(list, from, to, look_of(line.ink), line.stroke);
+    }
 }
 
-std::string read_out(const Chart& chart, double x) {
-    std::string text = fmt::format("{}: {:g}", chart.x.label, x);
-    for (const ChartCurve& curve : chart.curves)
-        for (const ChartPoint& point : curve.points)
-            if (point.x == x) text += fmt::format("\n\n{}\n    {}", curve.name, point.text);
-    return text + "\n\nClick: show the scene at this value.";
+/// The point nearest to the mouse, along x alone where curves share their x.
+std::optional<Pick> nearest(const Plane& plane) {
+    std::optional<Pick> pick;
+    float least = HUGE_VALF;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    for (std::size_t c = 0; c < plane.chart.curves.size(); ++c)
+        for (std::size_t p = 0; p < plane.chart.curves[c].points.size(); ++p) {
+            const ChartPoint& point = plane.chart.curves[c].points[p];
+            const ImVec2 at = plane.at(c, point);
+            const float distance = plane.chart.shared_x ? std::abs(plane.x(point.x) - mouse.x)
+                                                        : std::hypot(at.x - mouse.x, at.y - mouse.y);
+            if (distance >= least) continue;
+            least = distance;
+            pick = Pick{c, p};
+        }
+    return pick;
+}
+
+std::string read_out(const Chart& chart, Pick pick, const std::string& click) {
+    const ChartPoint& picked = chart.curves[pick.curve].points[pick.point];
+    const std::string named = chart.x.text_at(picked.x);
+    const bool names = named.find_first_not_of("0123456789.-e") != std::string::npos;
+    std::string text = fmt::format("{}: {}", chart.x.label, names ? named : fmt::format("{:g}", picked.x));
+    for (std::size_t c = 0; c < chart.curves.size(); ++c)
+        for (const ChartPoint& point : chart.curves[c].points)
+            if (chart.shared_x ? point.x == picked.x : &point == &picked)
+                text += fmt::format("\n\n{}\n    {}", chart.curves[c].name, point.text);
+    return click.empty() ? text : text + "\n\n" + click;
 }
 
 void draw_upright(ImDrawList& list, const Plane& plane, double value, ImU32 colour) {
     const float x = std::round(plane.x(value));
     list.AddLine({x, plane.low.y}, {x, plane.high.y}, colour, theme::px(1));
+}
+
+void point_out(ImDrawList& list, const Plane& plane, Pick pick) {
+    const ChartPoint& point = plane.chart.curves[pick.curve].points[pick.point];
+    if (plane.chart.shared_x) return draw_upright(list, plane, point.x, theme::dim_text);
+    draw_ring(list, plane.at(pick.curve, point), 8, theme::dim_text);
+}
+
+/// One name of the legend with a sample of what it names.
+struct Entry {
+    const std::string& name;
+    Ink ink;
+    Stroke stroke;
+    Form form;
+    Marker marker;
+};
+
+std::vector<Entry> entries_of(const Chart& chart) {
+    std::vector<Entry> entries;
+    for (const ChartCurve& curve : chart.curves)
+        if (!curve.name.empty()) entries.push_back({curve.name, curve.ink, curve.stroke, curve.form, marker_of(curve)});
+    for (const ChartLine& line : chart.lines)
+        if (!line.name.empty()) entries.push_back({line.name, line.ink, line.stroke, Form::line, Marker::none});
+    return entries;
+}
+
+void draw_sample(const Entry& entry, ImVec2 corner, float width, float height) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Look look = look_of(entry.ink);
+    const float y = corner.y + height / 2;
+    if (entry.form == Form::bars)
+        return list.AddRectFilled({corner.x + width / 2, corner.y + theme::px(2)}, {corner.x + width, y + theme::px(5)},
+                                  look.colour);
+    if (entry.form == Form::line) draw_stroke(list, {corner.x, y}, {corner.x + width, y}, look, entry.stroke);
+    draw_marker(list, {corner.x + width / 2, y}, entry.marker, look, false);
 }
 
 }  // namespace
@@ -130,8 +180,8 @@ void draw_legend(const Chart& chart) {
     const float sample = theme::px(26), gap = theme::px(14);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     bool first = true;
-    for (const ChartCurve& curve : chart.curves) {
-        const float width = sample + theme::px(5) + size_of(curve.name).x;
+    for (const Entry& entry : entries_of(chart)) {
+        const float width = sample + theme::px(5) + size_of(entry.name).x;
         if (!first) {
             ImGui::SameLine(0, gap);
             if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
@@ -140,24 +190,24 @@ void draw_legend(const Chart& chart) {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetTextLineHeight();
         ImGui::Dummy({width, height});
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        const float y = corner.y + height / 2;
-        draw_stroke(list, {corner.x, y}, {corner.x + sample, y}, look_of(curve.ink), curve.stroke);
-        draw_marker(list, {corner.x + sample / 2, y}, curve.ink, false);
-        list.AddText({corner.x + sample + theme::px(5), corner.y}, theme::text, curve.name.c_str());
+        draw_sample(entry, corner, sample, height);
+        ImGui::GetWindowDrawList()->AddText({corner.x + sample + theme::px(5), corner.y}, theme::text,
+                                            entry.name.c_str());
     }
 }
 
-std::optional<double> draw(const char* id, const Chart& chart, ImVec2 size, std::optional<double> marked) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
+std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& options) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos(), size = options.size;
     const bool clicked = ImGui::InvisibleButton(id, size);
     const bool hovered = ImGui::IsItemHovered();
     Places::note(id + 2);  // without "##"
     const float line = ImGui::GetTextLineHeight();
     float margin = theme::px(20);
     for (const ChartTick& tick : chart.y.ticks) margin = std::max(margin, size_of(tick.text).x + theme::px(8));
+    float right = theme::px(12);
+    if (!chart.x.ticks.empty()) right = std::max(right, size_of(chart.x.ticks.back().text).x / 2 + theme::px(4));
     const Plane plane{{corner.x + margin, corner.y + line + theme::px(6)},
-                      {corner.x + size.x - theme::px(12), corner.y + size.y - 2 * line - theme::px(8)},
+                      {corner.x + size.x - right, corner.y + size.y - 2 * line - theme::px(8)},
                       chart};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddText({corner.x, corner.y}, theme::text, fmt::format("{} ({})", chart.title, chart.y.label).c_str());
@@ -166,12 +216,15 @@ std::optional<double> draw(const char* id, const Chart& chart, ImVec2 size, std:
     const float label = size_of(chart.x.label).x;
     list.AddText({std::max(corner.x, (plane.low.x + plane.high.x - label) / 2), corner.y + size.y - line},
                  theme::dim_text, chart.x.label.c_str());
-    if (marked) draw_upright(list, plane, *marked, theme::selected);
-    const std::optional<double> under_mouse = hovered ? nearest_x(plane) : std::nullopt;
-    if (under_mouse) draw_upright(list, plane, *under_mouse, theme::dim_text);
+    if (options.marked_x) draw_upright(list, plane, *options.marked_x, theme::selected);
+    const std::optional<Pick> under_mouse = hovered ? nearest(plane) : std::nullopt;
+    if (under_mouse) point_out(list, plane, *under_mouse);
+    draw_lines(list, plane);
     draw_curves(list, plane);
-    if (under_mouse) widgets::hint(read_out(chart, *under_mouse));
-    return clicked ? under_mouse : std::nullopt;
+    if (const auto& marked = options.marked_point)
+        draw_ring(list, plane.at(marked->curve, chart.curves[marked->curve].points[marked->point]), 8, theme::selected);
+    if (under_mouse) widgets::hint(read_out(chart, *under_mouse, options.click));
+    return clicked && !options.click.empty() ? under_mouse : std::nullopt;
 }
 
 }  // namespace kd::chart

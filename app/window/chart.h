@@ -1,18 +1,31 @@
-// Draws a chart: curves over a parameter, with ticks, a legend, and a read-out under the mouse.
+// Draws a chart: curves, points and bars with whiskers, ticks, a legend, and a read-out under the mouse.
 #pragma once
 
 #include <imgui.h>
 #include <optional>
+#include <string>
 
-#include "app/sweep_chart.h"
+#include "viz/chart.h"
 
 namespace kd::chart {
 
-/// The names of the curves with a piece of each, in as many lines as they need.
+/// Indices into Chart::curves and its points.
+struct Pick {
+    std::size_t curve = 0, point = 0;
+};
+
+struct DrawOptions {
+    ImVec2 size{};
+    std::string click = {};                 // what a click on a point does, told under the mouse; empty: nothing
+    std::optional<double> marked_x = {};    // pointed out by an upright line
+    std::optional<Pick> marked_point = {};  // pointed out by a ring
+};
+
+/// The names of curves and lines with a piece of each, in as many rows as they need.
 void draw_legend(const Chart& chart);
 
-/// Draws it `size` large. `marked` is a value of the parameter that is pointed out. Returns the x of the points that were
-/// clicked on.
-std::optional<double> draw(const char* id, const Chart& chart, ImVec2 size, std::optional<double> marked);
+/// Draws it without its legend. Returns the point that was clicked on: where curves share their x the first at the x
+/// nearest to the mouse, else the nearest to the mouse.
+std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& options);
 
 }  // namespace kd::chart

@@ -83,6 +83,49 @@ Json json_of(const StabilityState& state, const StabilityView& view) {
     return json;
 }
 
+/// What DIVERGENCE shows: the ends of its curve under while-while.
+Json json_of(const WidthState& state) {
+    Json json{{"active", state.active}, {"outdated", state.outdated}, {"error", state.error}};
+    if (!state.report) return json;
+    json["points"] = state.report->points.size();
+    json["overhead"] = state.report->overhead;
+    const auto efficiency = [](const DivergencePoint& point) {
+        return point.by_schedule[std::size_t(Schedule::while_while)].weighted;
+    };
+    json["narrowest"] = efficiency(state.report->points.front());
+    json["widest"] = efficiency(state.report->points.back());
+    return json;
+}
+
+/// What PAPER shows: how far it is, and how many figures and verdicts there are.
+Json json_of(const PaperState& state, const PaperView& view) {
+    Json json{{"active", state.active}, {"what", state.what}, {"error", state.error}, {"figure", view.figure}};
+    if (!state.report) return json;
+    json["rounds"] = state.report->results.rounds;
+    json["complete"] = state.report->results.complete;
+    for (const PaperFigure& figure : state.report->figures) json["figures"][figure.name] = figure.chart.curves.size();
+    for (const PaperClaim& claim : state.report->claims) json["verdicts"][claim.id] = name_of(claim.verdict);
+    return json;
+}
+
+/// What was measured of NEEDS, by feature.
+Json json_of(const NeedsTiming& timing) {
+    Json json{{"active", timing.active}, {"error", timing.error}, {"saved_ms", Json::object()}};
+    for (const FeatureTime& time : timing.times)
+        json["saved_ms"][std::string(info(time.feature).name)] = time.saved.median;
+    return json;
+}
+
+Json json_of(const ConvergenceState& state) {
+    Json json{{"active", state.active}, {"samples", state.samples}, {"tried", state.tried.size()}};
+    for (const ConvergenceCurve& curve : state.curves)
+        if (!curve.points.empty())
+            json["curves"][curve.name()] = {{"points", curve.points.size()},
+                                            {"first", curve.points.front().rmse},
+                                            {"last", curve.points.back().rmse}};
+    return json;
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state, {});
@@ -90,11 +133,9 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
-    json["duel"] = {{"rounds", state.duel.rounds.size()},
-                    {"width", state.duel.width},
-                    {"height", state.duel.height},
-                    {"cpu_ms", state.duel.cpu.median_ms},
-                    {"gl_ms", state.duel.gl.median_ms}};
+    json["duel"] = {{"rounds", state.duel.rounds.size()}, {"width", state.duel.width},
+                    {"height", state.duel.height},        {"cpu_ms", state.duel.cpu.median_ms},
+                    {"gl_ms", state.duel.gl.median_ms},   {"decided", state.duel.decided()}};
     json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
@@ -103,7 +144,12 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["pinned"] = json_of(state.pinned);
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
+    json["widths"] = json_of(state.widths);
+    json["paper"] = json_of(state.paper, edit.window.paper);
+    json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);
+    json["needs"] = json_of(state.needs);
+    json["compiled"] = state.compiled;
     json["last_export"] = edit.last_export;
     return json;
 }

@@ -272,6 +272,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
     const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
         begin_area(name, area, {theme::px(12), theme::px(8)},
                    place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
+        if (place == PanelPlace::bottom) draw_bottom_tabs(edit_);
         for (const Panel& panel : panels()) {
             if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
@@ -311,6 +312,7 @@ void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
     engine_->set_probes(edit_.hovered, edit_.window.pinned);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
+    engine_->keep_widths(edit_.window.panels && edit_.window.bottom == divergence_panel);
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
         recent_world_ = world;
         add_recent(edit_.window.recent_files, world->loaded->name);
@@ -321,18 +323,12 @@ void WindowLoop::apply_edit() {
 
 void WindowLoop::carry_out(Action action) {
     switch (action) {
-        case Action::cancel_build: engine_->cancel_build(); break;
-        case Action::dismiss_messages: engine_->dismiss_messages(); break;
         case Action::export_window: window_export_ = true; break;  // when the frame is drawn
         case Action::copy_camera: copy_camera(); break;
         case Action::paste_camera: paste_camera(); break;
         case Action::copy_ray: copy_ray(); break;
-        case Action::run_case:
-            engine_->run_case(edit_.window.stability.id, edit_.window.stability.all_traversals);
-            break;
-        case Action::run_sweep: engine_->run_sweep(edit_.window.stability.id); break;
-        case Action::cancel_stability: engine_->cancel_stability(); break;
-        default: write_files(action);
+        default:
+            if (!edits::carry_out(action, edit_, *engine_)) write_files(action);
     }
 }
 
@@ -401,12 +397,10 @@ Image<Rgba8> WindowLoop::read_window() const {
     Image<Rgba8> upside_down(width, height);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels.data());
+    for (Rgba8& pixel : upside_down.pixels) pixel.a = 255;
     Image<Rgba8> image(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            image.at(x, y) = upside_down.at(x, height - 1 - y);
-            image.at(x, y).a = 255;
-        }
+        for (int x = 0; x < width; ++x) image.at(x, y) = upside_down.at(x, height - 1 - y);
     return image;
 }
 

@@ -34,6 +34,7 @@ void PassTimer::begin_frame() {
         gl_.Finish();
         frame_begin_ = Clock::now();
     } else {
+        frame_begin_ = Clock::now();
         gl_.QueryCounter(query(0), GL_TIMESTAMP);
     }
 }
@@ -73,6 +74,7 @@ void PassTimer::end_frame(GlFrameReport& report) {
     } else {
         gl_.QueryCounter(query(1), GL_TIMESTAMP);
         report.total_ms = elapsed_ms(0, 1);
+        report.wall_ms = ms_since(frame_begin_);  // the result waits for the GPU
         report.clock = "timer query";
     }
     for (Span& span : spans_) {

@@ -48,8 +48,12 @@ class DoubleKernel {
     int light_count() const { return int(scene_.lights.size()); }
     int step_budget() const { return std::numeric_limits<int>::max(); }
     bool scene_has_normals() const { return scene_.has_normals; }
-    bool scene_has_textures() const { return false; }
+    bool scene_has_textures() const { return !scene_.textures.empty(); }
     bool shadows_enabled() const { return true; }
+    bool scene_has_highlights() const { return true; }
+    bool scene_has_directional_lights() const { return true; }
+    bool scene_has_placed_lights() const { return true; }
+    bool scene_has_spot_lights() const { return true; }
     real3 scene_ambient() const { return real3(scene_.ambient); }
     real3 scene_background() const { return real3(scene_.background); }
     void fetch_bounds(real3& lower, real3& upper) const {
@@ -69,13 +73,23 @@ class DoubleKernel {
         b = real3(normal[1]);
         c = real3(normal[2]);
     }
-    real2 fetch_texture_coordinates(int, real, real) const { return real2(0); }
-    int2 fetch_texture_size(int) const { return int2(1); }
-    real3 fetch_texel(int, int, int) const { return real3(1); }
+    real2 fetch_texture_coordinates(int triangle, real u, real v) const {
+        const auto& uv = scene_.attributes[std::size_t(triangle)].uv;
+        const real w = real(1) - u - v;
+        return real2(uv[0]) * w + real2(uv[1]) * u + real2(uv[2]) * v;
+    }
+    int2 fetch_texture_size(int texture) const {
+        const Image<Rgba8>& image = scene_.textures[std::size_t(texture)];
+        return {image.width, image.height};
+    }
+    real3 fetch_texel(int texture, int x, int y) const {
+        const Rgba8 c = scene_.textures[std::size_t(texture)].at(x, y);
+        return real3(c.r, c.g, c.b) / real(255);
+    }
     int fetch_material_index(int triangle) const { return scene_.attributes[std::size_t(triangle)].material; }
     Material fetch_material(int index) const {
         const kd::Material& m = scene_.materials[std::size_t(index)];
-        return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), m.shininess, -1};
+        return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), m.shininess, m.texture};
     }
     Light fetch_light(int index) const {
         const kd::Light& l = scene_.lights[std::size_t(index)];

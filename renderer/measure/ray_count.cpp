@@ -27,7 +27,7 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     SceneView view;
     view.scene = &scene;
     view.tree = &tree;
-    view.needs = scene_needs(scene, config);
+    view.needs = scene_needs(scene, tree, config);
     Frame walks(width, height);
     parallel_ranges(std::size_t(height), 1, 0, [&](std::size_t row, std::size_t) {
         if (stop.stop_requested()) return;

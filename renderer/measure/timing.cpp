@@ -2,21 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
-
-namespace {
-
-/// Quantile `q` of sorted samples, linear between them.
-double quantile(const std::vector<double>& sorted, double q) {
-    const double position = q * double(sorted.size() - 1);
-    const auto below = std::size_t(position);
-    const auto above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - double(below));
-}
-
-}  // namespace
 
 TimeSummary summarise(std::vector<double> samples_ms) {
     TimeSummary summary;
@@ -29,17 +18,47 @@ TimeSummary summarise(std::vector<double> samples_ms) {
     return summary;
 }
 
-std::vector<TimeSummary> time_interleaved(const std::vector<Contestant>& contestants, int warmup, int rounds) {
-    for (const Contestant& contestant : contestants)
-        for (int i = 0; i < warmup; ++i) contestant.run();
+TimeSummary TimedRounds::total() const {
+    return summarise(rounds, [](const TimeSample& s) { return s.ms; });
+}
 
-    std::vector<std::vector<double>> samples(contestants.size());
-    for (int round = 0; round < rounds; ++round)
-        for (std::size_t i = 0; i < contestants.size(); ++i) samples[i].push_back(contestants[i].run());
+TimeSummary TimedRounds::pass(std::size_t index) const {
+    return summarise(rounds, [index](const TimeSample& s) { return s.pass_ms[index]; });
+}
 
-    std::vector<TimeSummary> summaries;
-    for (std::vector<double>& own : samples) summaries.push_back(summarise(std::move(own)));
-    return summaries;
+std::vector<double> TimedRounds::ms() const {
+    std::vector<double> all;
+    for (const TimeSample& sample : rounds) all.push_back(sample.ms);
+    return all;
+}
+
+double TimedRounds::clock_discrepancy() const {
+    std::vector<double> ratios;
+    for (const TimeSample& s : rounds)
+        if (s.ms > 0 && s.wall_ms > 0) ratios.push_back(s.wall_ms / s.ms);
+    return ratios.empty() ? 0 : summarise(std::move(ratios)).median_ms - 1;
+}
+
+std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
+                                      const RoundDone& round_done) {
+    std::vector<TimedRounds> timed;
+    for (const Contestant& contestant : contestants) {
+        for (int i = 0; i < plan.warmup; ++i) (void)contestant.run();
+        timed.push_back({contestant.name, {}});
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const auto over = [&](int done) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+        return plan.budget_s > 0 && done >= plan.least_rounds && spent.count() >= plan.budget_s;
+    };
+    for (int round = 0; round < plan.rounds && !over(round); ++round) {
+        for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+            const std::size_t i = round % 2 == 0 ? turn : contestants.size() - 1 - turn;
+            timed[i].rounds.push_back(contestants[i].run());
+        }
+        if (round_done) round_done(round + 1, timed);
+    }
+    return timed;
 }
 
 double wall_ms(const std::function<void()>& work) {

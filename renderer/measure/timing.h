@@ -1,28 +1,73 @@
-// Honest time: warm-up apart, interleaved repetitions, median and quartiles.
+// Honest time: warm-up apart, repetitions in turn, median and quartiles, passes and clocks told apart.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "renderer/trace/frame.h"
+
 namespace kd {
+
+/// One run of something, in ms. A negative time means: not measured.
+struct TimeSample {
+    double ms = -1;       // by the clock of what ran
+    double wall_ms = -1;  // the same run by the steady clock, where `ms` is from another clock
+    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};  // of ms
+};
 
 struct TimeSummary {
     double median_ms = 0, p25_ms = 0, p75_ms = 0;
     int samples = 0;
 };
 
+/// All zero where there are no samples.
 [[nodiscard]] TimeSummary summarise(std::vector<double> samples_ms);
 
-/// One thing to time. `run` does it once and returns its time in ms by its own clock.
+/// Over the rounds in which `field` was measured.
+template <class Rounds, class Field>
+[[nodiscard]] TimeSummary summarise(const Rounds& rounds, const Field& field) {
+    std::vector<double> samples;
+    for (const auto& round : rounds)
+        if (const double ms = field(round); ms >= 0) samples.push_back(ms);
+    return summarise(std::move(samples));
+}
+
+/// One thing to time. `run` does it once.
 struct Contestant {
     std::string name;
-    std::function<double()> run;
+    std::function<TimeSample()> run;
 };
 
-/// Runs every contestant `warmup` times, then all of them in turn, `rounds` times.
-[[nodiscard]] std::vector<TimeSummary> time_interleaved(const std::vector<Contestant>& contestants, int warmup,
-                                                        int rounds);
+/// A contestant's rounds, oldest first. Round i of one met the same machine as round i of the others.
+struct TimedRounds {
+    std::string name;
+    std::vector<TimeSample> rounds;
+
+    [[nodiscard]] TimeSummary total() const;
+    [[nodiscard]] TimeSummary pass(std::size_t index) const;
+    [[nodiscard]] std::vector<double> ms() const;
+    /// Wall clock over own clock less 1, as the median of the rounds in which both ran: how far the clocks disagree. 0
+    /// where there is one clock.
+    [[nodiscard]] double clock_discrepancy() const;
+};
+
+/// How often. With a budget the rounds end after `budget_s` seconds, but not before `least_rounds`.
+struct TimingPlan {
+    int warmup = 3, rounds = 15;
+    double budget_s = 0;  // 0: no limit
+    int least_rounds = 6;
+};
+
+/// Told after each round of all contestants: how many rounds are done, and all that was measured.
+using RoundDone = std::function<void(int rounds, std::span<const TimedRounds> so_far)>;
+
+/// Runs every contestant `warmup` times, then all of them in turn, in one order and the reverse of it by turns, so that a
+/// machine that grows slower favours nobody.
+[[nodiscard]] std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
+                                                    const RoundDone& round_done = {});
 
 /// Wall clock of one call, in ms.
 [[nodiscard]] double wall_ms(const std::function<void()>& work);

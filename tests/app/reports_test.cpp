@@ -56,9 +56,10 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json rows = json::parse(outcome.out);
     ASSERT_EQ(rows.size(), traversals().size());
-    const std::set<std::string> agreed{"scene",       "tracer", "traversal", "builder",  "width",
-                                       "height",      "rays",   "ms_median", "ms_p25",   "ms_p75",
-                                       "mrays_per_s", "clock",  "renderer",  "build_ms", "counters"};
+    const std::set<std::string> agreed{
+        "scene",    "tracer", "traversal",         "builder",   "width",      "height",     "rays",     "ms_median",
+        "ms_p25",   "ms_p75", "mrays_per_s",       "clock",     "renderer",   "build_ms",   "counters", "rounds",
+        "of_first", "passes", "clock_discrepancy", "upload_ms", "compile_ms", "measured_on"};
     for (const json& row : rows) {
         std::set<std::string> keys;
         for (const auto& [key, value] : row.items()) keys.insert(key);
@@ -70,6 +71,11 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
         EXPECT_NEAR(row["mrays_per_s"].get<double>(),
                     row["rays"].get<double>() / row["ms_median"].get<double>() / 1000.0, 1e-6);
     }
+    EXPECT_EQ(rows[0]["of_first"]["median"], 1.0);
+    EXPECT_EQ(rows[0]["rounds"], 3);
+    EXPECT_LT(rows[1]["of_first"]["confidence"], 0.95) << "three rounds are too few";
+    EXPECT_TRUE(rows[0]["upload_ms"].is_null()) << "the CPU uploads nothing";
+    EXPECT_FALSE(rows[0]["measured_on"]["commit"].get<std::string>().empty());
     EXPECT_EQ(rows[0]["traversal"], "naive");
     EXPECT_EQ(rows[0]["counters"]["leaves"], 0);
     EXPECT_GT(rows[2]["counters"]["restarts"], 0);
@@ -84,6 +90,8 @@ TEST(Bench, EarlyZAsPublishedIsTakenAndTold) {
     if (outcome.code == 3) GTEST_SKIP() << "NO CONTEXT: " << outcome.err;
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("early z as published"), std::string::npos) << outcome.out;
+    for (const char* part : {"upload ", "compile ", "RTPrim "})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
     EXPECT_EQ(run_kdscope(common).out.find("as published"), std::string::npos);
 }
 

@@ -78,17 +78,6 @@ TEST(SweepChart, ErrorsLeaveOutWhatNeverHitAndKeepZeroAtTheFoot) {
     EXPECT_DOUBLE_EQ(chart.curves[1].points[0].x, 1e-2);
 }
 
-TEST(SweepChart, AxesPlaceValuesFromEndToEnd) {
-    const ChartAxis decades{"", true, 1e-4, 1, {}};
-    EXPECT_DOUBLE_EQ(decades.position(1e-4), 0);
-    EXPECT_DOUBLE_EQ(decades.position(1e-2), 0.5);
-    EXPECT_DOUBLE_EQ(decades.position(1), 1);
-    EXPECT_DOUBLE_EQ(decades.position(5), 1) << "beyond the end";
-    EXPECT_DOUBLE_EQ(decades.position(0), 0) << "has no logarithm";
-    const ChartAxis plain{"", false, -1, 3, {}};
-    EXPECT_DOUBLE_EQ(plain.position(0), 0.25);
-}
-
 TEST(SweepChart, TicksLieOnTheAxesAndShareReadsInPercent) {
     for (const Chart& chart : {fault_chart(sample()), ulp_chart(sample())})
         for (const ChartAxis& axis : {chart.x, chart.y}) {

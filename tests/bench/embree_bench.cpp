@@ -34,7 +34,8 @@ int run(const std::string& name, int rounds) {
     const auto compete = [&](std::string label, auto trace) {
         const std::size_t slot = hits.size();
         hits.emplace_back(rays.size());
-        contestants.push_back({std::move(label), [&hits, slot, trace] { return wall_ms([&] { trace(hits[slot]); }); }});
+        contestants.push_back(
+            {std::move(label), [&hits, slot, trace] { return TimeSample{wall_ms([&] { trace(hits[slot]); })}; }});
     };
     compete("embree robust", [&](std::vector<Hit>& out) { robust.trace(rays, out); });
     compete("embree default", [&](std::vector<Hit>& out) { standard.trace(rays, out); });
@@ -49,7 +50,7 @@ int run(const std::string& name, int rounds) {
                         tracer.trace_rays(config, rays, false, out, {}, 1);
                     });
     }
-    const std::vector<TimeSummary> times = time_interleaved(contestants, 2, rounds);
+    const std::vector<TimedRounds> times = time_in_turn(contestants, {.warmup = 2, .rounds = rounds});
 
     std::printf("%s, %zu triangles, %dx%d primary rays in Morton order, 1 thread, %s, %d rounds in turn\n",
                 name.c_str(), scene.triangles.size(), image_size, image_size, cpu_target_name().c_str(), rounds);
@@ -62,10 +63,11 @@ int run(const std::string& name, int rounds) {
     std::printf("%-24s %9s %19s %9s %12s %12s %9s\n", "tracer", "ms", "[p25 - p75]", "Mrays/s", "x robust", "x default",
                 "hits");
     for (std::size_t i = 0; i < contestants.size(); ++i) {
-        const TimeSummary& t = times[i];
+        const TimeSummary t = times[i].total();
         std::printf("%-24s %9.2f [%7.2f - %7.2f] %9.2f %12.3f %12.3f %9zu\n", contestants[i].name.c_str(), t.median_ms,
-                    t.p25_ms, t.p75_ms, double(rays.size()) / t.median_ms / 1e3, times[0].median_ms / t.median_ms,
-                    times[1].median_ms / t.median_ms, count_hits(hits[i]));
+                    t.p25_ms, t.p75_ms, double(rays.size()) / t.median_ms / 1e3,
+                    times[0].total().median_ms / t.median_ms, times[1].total().median_ms / t.median_ms,
+                    count_hits(hits[i]));
     }
     return 0;
 }

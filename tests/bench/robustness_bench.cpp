@@ -10,6 +10,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/counters.h"
 #include "tests/bench/bench_scene.h"
 
@@ -40,24 +41,20 @@ void compare(const std::string& name, int rounds) {
         configs.emplace_back();
         configs.back().rules = rules.id;
     }
-    std::vector<std::vector<double>> ms(configs.size());
-    for (int round = -2; round < rounds; ++round)
-        for (std::size_t i = 0; i < configs.size(); ++i) {
-            const double time = wall_ms([&] { tracer.trace_rays(configs[i], rays, false, hits, {}, 1); });
-            if (round >= 0) ms[i].push_back(time);
-        }
+    std::vector<Contestant> contestants;
+    for (const TraceConfig& config : configs)
+        contestants.push_back(
+            {"", [&] { return TimeSample{wall_ms([&] { tracer.trace_rays(config, rays, false, hits, {}, 1); })}; }});
+    const std::vector<TimedRounds> times = time_in_turn(contestants, {.warmup = 2, .rounds = rounds});
     const auto robust = double(steps_of(tracer, configs[0], rays));
     std::printf("%-16s %9s %12s %12s   %s\n", "rules", "ms", "steps/ray", "robust costs",
-                "robust / these, per round [p25 - p75]");
+                "robust / these, per round [95 %]");
     for (std::size_t i = 0; i < configs.size(); ++i) {
         const auto steps = double(steps_of(tracer, configs[i], rays));
-        std::vector<double> ratios;
-        for (std::size_t round = 0; round < ms[i].size(); ++round) ratios.push_back(ms[0][round] / ms[i][round]);
-        const TimeSummary ratio = summarise(ratios);
+        const MedianInterval ratio = ratio_interval(times[0].ms(), times[i].ms());
         std::printf("%-16s %9.2f %12.2f %+10.1f %%   time x %.3f [%.3f - %.3f]\n",
-                    std::string(info(configs[i].rules).name).c_str(), summarise(ms[i]).median_ms,
-                    steps / double(rays.size()), 100 * (robust / steps - 1), ratio.median_ms, ratio.p25_ms,
-                    ratio.p75_ms);
+                    std::string(info(configs[i].rules).name).c_str(), times[i].total().median_ms,
+                    steps / double(rays.size()), 100 * (robust / steps - 1), ratio.median, ratio.low, ratio.high);
     }
 }
 

@@ -83,19 +83,23 @@ TEST(GlLimits, BoundTheImage) {
 
 TEST(PassPrograms, LeaveOutWhatASceneDoesNotNeed) {
     ProgramSettings bare;
-    bare.trace.counters = false;
+    bare.needs.counters = false;
     const ProgramKey key = program_key(Step::shade_prim, bare);
     for (const char* define : {"KD_COUNTERS", "KD_NORMALS", "KD_TEXTURES", "KD_SHADOWS", "KD_DUPLICATED"})
         EXPECT_EQ(key.defines.at(define), "0") << define;
-    EXPECT_EQ(key.defines.at("KD_TRAVERSE"), "traverse_stack");
-    EXPECT_EQ(key.defines.at("KD_STACK_SIZE"), "64");
+    EXPECT_EQ(key.defines.at("KD_TRAVERSE"), "traverse_naive") << "without shadow rays nothing walks";
+    EXPECT_EQ(key.defines.at("KD_STACK_SIZE"), "1");
+    bare.needs.shadows = true;
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_TRAVERSE"), "traverse_stack");
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_STACK_SIZE"), "64");
     bare.trace.traversal = Traversal::restart;
     EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_STACK_SIZE"), "1");
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_LONG_TRAIL"), "1");
 }
 
 TEST(PassPrograms, ShareRtPrimAcrossShadingSettings) {
     ProgramSettings plain, rich;
-    rich.needs = {.textures = true, .normals = true, .shadows = true, .reflections = true, .bounces = 3};
+    rich.needs.textures = rich.needs.normals = rich.needs.shadows = rich.needs.highlights = true;
     EXPECT_EQ(program_key(Step::rt_prim, plain), program_key(Step::rt_prim, rich));
     EXPECT_NE(program_key(Step::shade_prim, plain), program_key(Step::shade_prim, rich));
 }

@@ -8,35 +8,12 @@
 #include "renderer/measure/compare.h"
 #include "renderer/measure/pixel_rays.h"
 #include "renderer/measure/ray_count.h"
-#include "renderer/measure/timing.h"
 #include "renderer/measure/verify.h"
 #include "renderer/trace/counters.h"
 #include "tests/support/scenes.h"
 
 namespace kd {
 namespace {
-
-TEST(Timing, QuartilesLieBetweenSamples) {
-    const TimeSummary four = summarise({4, 1, 3, 2});
-    EXPECT_EQ(four.median_ms, 2.5);
-    EXPECT_EQ(four.p25_ms, 1.75);
-    EXPECT_EQ(four.p75_ms, 3.25);
-    EXPECT_EQ(four.samples, 4);
-    EXPECT_EQ(summarise({7}).p75_ms, 7);
-    EXPECT_EQ(summarise({}).samples, 0);
-}
-
-TEST(Timing, ContestantsTakeTurns) {
-    std::string order;
-    const std::vector<Contestant> two{{"a", [&] { return order += 'a', 1.0; }},
-                                      {"b", [&] { return order += 'b', 2.0; }}};
-    const auto times = time_interleaved(two, 2, 3);
-    EXPECT_EQ(order, "aabb"
-                     "ababab");
-    ASSERT_EQ(times.size(), 2u);
-    EXPECT_EQ(times[0].median_ms, 1.0);
-    EXPECT_EQ(times[1].samples, 3);
-}
 
 TEST(PixelRays, OnePerPixelFromTheTop) {
     const PinholeCamera camera = pinhole(Camera{}, 4, 2);

@@ -1,0 +1,302 @@
+#include "app/error_time/error_time_charts.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "viz/chart_axis.h"
+
+namespace kd {
+
+namespace {
+
+ChartInterval drawn(const Interval& interval) { return {interval.low, interval.high}; }
+
+void fit_axes(Chart& chart) {
+    fit_log(chart.x, places_of(chart.curves));
+    std::vector<double> heights = heights_of(chart.curves);
+    for (const ChartLine& line : chart.lines)
+        if (!line.upright) heights.push_back(line.value);
+    fit_log(chart.y, heights);
+    set_ticks(chart.x);
+    set_ticks(chart.y);
+    chart.shared_x = false;
+}
+
+// --- P1 ---
+
+Ink ink_of(Sampler sampler) {
+    switch (sampler) {
+        case Sampler::regular: return Ink::green;
+        case Sampler::independent: return Ink::red;
+        case Sampler::stratified: break;
+    }
+    return Ink::purple;
+}
+
+Stroke stroke_of(const std::string& traversal) {
+    return traversal == "restart" ? Stroke::dashed : traversal == "backtrack" ? Stroke::dotted : Stroke::solid;
+}
+
+enum class Measure { rmse, flip };
+
+ChartPoint point_of(const ImageCurve& curve, const ImagePoint& point, Measure measure) {
+    ChartPoint drawn_point;
+    drawn_point.x = point.seconds;
+    drawn_point.x_interval = drawn(point.quartiles);
+    drawn_point.y = measure == Measure::rmse ? point.rmse : point.flip;
+    if (measure == Measure::rmse) drawn_point.y_interval = drawn(point.rmse_interval);
+    drawn_point.marked = measure == Measure::rmse && point.on_front;
+    drawn_point.text = fmt::format("{} {} samples, {:.3g} s, error {:.3g}", point.samples, name_of(curve.sampler),
+                                   point.seconds, drawn_point.y);
+    return drawn_point;
+}
+
+/// The curves that `wanted` chooses; `by_machine` tells machines apart, else traversals.
+template <class Wanted>
+Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure measure, bool by_machine,
+                  const Wanted& wanted) {
+    const ImageReport& report = *scene.images;
+    Chart chart;
+    chart.title = fmt::format("{}: {}", scene.session.scene, title);
+    chart.x.label = "seconds per image";
+    chart.y.label = measure == Measure::rmse ? "RMSE against the converged image" : "mean FLIP against it";
+    for (const ImageCurve& curve : report.curves) {
+        if (!wanted(curve)) continue;
+        ChartCurve drawn_curve;
+        drawn_curve.name = fmt::format("{}, {}", name_of(curve.sampler), by_machine ? curve.machine : curve.traversal);
+        drawn_curve.ink = ink_of(curve.sampler);
+        const bool gpu = curve.machine != "cpu";
+        drawn_curve.stroke = !by_machine ? stroke_of(curve.traversal) : gpu ? Stroke::dashed : Stroke::solid;
+        drawn_curve.marker = gpu ? Marker::square : Marker::circle;
+        for (const ImagePoint& point : curve.points) drawn_curve.points.push_back(point_of(curve, point, measure));
+        chart.curves.push_back(std::move(drawn_curve));
+    }
+    if (measure == Measure::rmse && report.reference_rmse > 0)
+        chart.lines.push_back({"the reference's own error", report.reference_rmse, false, Ink::grey, Stroke::dotted});
+    chart.note = fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; bars: middle half of "
+                             "times, 95 % of errors; rings: unbeaten in both",
+                             report.plan.width, report.plan.height, report.plan.most_samples);
+    fit_axes(chart);
+    return chart;
+}
+
+// --- P2 ---
+
+Ink ink_of(const HitMethod& method) {
+    const bool robust = method.rules == Rules::robust;
+    if (method.test == TriangleTest::woop) return robust ? Ink::green : Ink::light;
+    return robust ? Ink::red : Ink::purple;
+}
+
+template <class Fill>
+Chart hit_chart(const HitReport& report, const HitFamily& family, const std::string& y_label, const Fill& fill) {
+    Chart chart;
+    chart.title = fmt::format("{}: {}", family.id, family.what);
+    chart.x.label = "nanoseconds per ray, one thread";
+    chart.y.label = y_label;
+    for (const HitRow& row : report.rows) {
+        if (row.family != family.id) continue;
+        const std::string name = row.method.family_name();
+        auto curve = std::ranges::find(chart.curves, name, &ChartCurve::name);
+        if (curve == chart.curves.end()) {
+            chart.curves.push_back({name, ink_of(row.method)});
+            curve = chart.curves.end() - 1;
+            curve->form = Form::points;
+            curve->marker = row.method.in_double ? Marker::square : Marker::circle;
+        }
+        ChartPoint point;
+        point.x = row.ns;
+        point.x_interval = drawn(row.quartiles);
+        point.label = std::string(info(row.method.traversal).name).substr(0, 1);
+        if (fill(row, point)) curve->points.push_back(std::move(point));
+    }
+    fit_axes(chart);
+    return chart;
+}
+
+constexpr const char* hit_note = "s stack, r restart, b backtrack; bars: middle half of the rounds";
+
+Chart fault_chart(const HitReport& report, const HitFamily& family) {
+    const auto fill = [](const HitRow& row, ChartPoint& point) {
+        const double most = 1e6 * row.upper95;
+        point.bound = row.missed + row.wrong == 0;
+        point.y = point.bound ? most : row.per_million();
+        point.y_interval = ChartInterval{point.y, most};
+        point.marked = row.on_front;
+        point.text = fmt::format("{}: {} missed, {} wrong of {}, at most {:.3g} per million",
+                                 info(row.method.traversal).name, row.missed, row.wrong, row.n, most);
+        return true;
+    };
+    Chart chart = hit_chart(report, family, "rays lost or wrong per million", fill);
+    chart.note =
+        fmt::format("{}, and up to the 95 % bound; open: none seen, drawn at that bound; rings: nothing is both "
+                    "quicker and better",
+                    hit_note);
+    return chart;
+}
+
+Chart ulp_chart(const HitReport& report, const HitFamily& family) {
+    const auto fill = [](const HitRow& row, ChartPoint& point) {
+        if (!(row.ulp_p999 > 0)) return false;
+        point.y = row.ulp_p999;
+        point.y_interval = ChartInterval{row.ulp_p50 > 0 ? row.ulp_p50 : row.ulp_p999, row.ulp_most};
+        point.text = fmt::format("{}: half within {:.3g}, 99.9 % within {:.3g}, all within {:.3g} ulp",
+                                 info(row.method.traversal).name, row.ulp_p50, row.ulp_p999, row.ulp_most);
+        return true;
+    };
+    Chart chart = hit_chart(report, family, "error of t in ulps of a float", fill);
+    chart.note = fmt::format("{}; upright: median, 99.9 % (the mark) and largest", hit_note);
+    return chart;
+}
+
+// --- P3 and P4 ---
+
+Ink ink_of_index(std::size_t i) {
+    constexpr std::array inks{Ink::cpu, Ink::gpu, Ink::green, Ink::red, Ink::purple, Ink::light, Ink::grey};
+    return inks[i % inks.size()];
+}
+
+/// A line along which both axes agree, from the least to the most of both.
+ChartCurve equality(const std::vector<ChartCurve>& curves) {
+    double low = HUGE_VAL, high = 0;
+    for (const ChartCurve& curve : curves)
+        for (const ChartPoint& point : curve.points) {
+            low = std::min({low, point.x, point.y});
+            high = std::max({high, point.x, point.y});
+        }
+    ChartCurve line{"predicted = paid", Ink::reference, Stroke::dotted};
+    line.marker = Marker::none;
+    line.points = {{low, low}, {high, high}};
+    return line;
+}
+
+void finish_prediction(Chart& chart) {
+    chart.y.label = "cost that the surface area heuristic predicts";
+    chart.curves.push_back(equality(chart.curves));
+    fit_axes(chart);
+}
+
+Chart line_chart(const SceneErrorTime& scene) {
+    Chart chart;
+    chart.title = fmt::format("{}: uniform lines that nothing stops", scene.session.scene);
+    chart.x.label = "cost counted per line (t_t per interior node, t_i per triangle)";
+    for (const TreeRow& row : scene.trees->rows) {
+        auto curve = std::ranges::find(chart.curves, row.builder, &ChartCurve::name);
+        if (curve == chart.curves.end()) {
+            chart.curves.push_back({row.builder, ink_of_index(chart.curves.size())});
+            curve = chart.curves.end() - 1;
+            curve->form = Form::points;
+        }
+        const double error = 1.96 * row.lines.standard_error();
+        ChartPoint point;
+        point.x = row.lines.mean_cost();
+        point.x_interval = ChartInterval{point.x - error, point.x + error};
+        point.y = row.stats.sah_cost;
+        point.label = fmt::format("{}", row.leaf_size);
+        point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
+        curve->points.push_back(std::move(point));
+    }
+    chart.note = "numbers: most triangles of a leaf; bars (95 %) are narrower than the marks";
+    finish_prediction(chart);
+    return chart;
+}
+
+Chart ray_chart(const SceneErrorTime& scene) {
+    Chart chart;
+    chart.title = fmt::format("{}: the rays of a frame", scene.session.scene);
+    chart.x.label = "cost counted per ray";
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        if (scene.trees->rays[pass] == 0) continue;
+        ChartCurve curve{std::string(ray_names[pass]), ink_of_index(pass)};
+        curve.form = Form::points;
+        for (const TreeRow& row : scene.trees->rows) {
+            ChartPoint point;
+            point.x = row.cost_per_ray[pass];
+            point.y = row.stats.sah_cost;
+            point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
+            if (point.x > 0) curve.points.push_back(std::move(point));
+        }
+        chart.curves.push_back(std::move(curve));
+    }
+    chart.note = "a point for each builder and size of leaves; above the line: rays pay less than predicted";
+    finish_prediction(chart);
+    return chart;
+}
+
+template <class Fill>
+Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fill& fill) {
+    const TreeReport& report = *scene.trees;
+    Chart chart;
+    chart.title = fmt::format("{}: build time against {}", scene.session.scene, what);
+    chart.x.label = "seconds to build";
+    chart.y.label = fmt::format("{}, times that of {}", what, report.rows[report.reference].name());
+    for (const TreeRow& row : report.rows) {
+        auto curve = std::ranges::find(chart.curves, row.builder, &ChartCurve::name);
+        if (curve == chart.curves.end()) {
+            chart.curves.push_back({row.builder, ink_of_index(chart.curves.size())});
+            curve = chart.curves.end() - 1;
+            curve->form = Form::points;
+        }
+        ChartPoint point;
+        point.x = 1e-3 * row.build.median_ms;
+        point.x_interval = ChartInterval{1e-3 * row.build.p25_ms, 1e-3 * row.build.p75_ms};
+        point.label = fmt::format("{}", row.leaf_size);
+        fill(row, point);
+        point.text = fmt::format("{}: {:.3g} s, {:.4g} times", row.name(), point.x, point.y);
+        curve->points.push_back(std::move(point));
+    }
+    chart.lines.push_back({"the reference", 1, false});
+    chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: nothing "
+                 "is both built sooner and traced sooner";
+    fit_axes(chart);
+    return chart;
+}
+
+}  // namespace
+
+std::vector<ErrorFigure> image_figures(const SceneErrorTime& scene) {
+    std::vector<ErrorFigure> figures;
+    std::vector<std::string> machines;
+    for (const ImageCurve& curve : scene.images->curves)
+        if (std::ranges::find(machines, curve.machine) == machines.end()) machines.push_back(curve.machine);
+    const auto name = [&](const std::string& what) { return fmt::format("p1-{}-{}", scene.stem, what); };
+    for (const std::string& machine : machines)
+        figures.push_back(
+            {name("rmse-" + machine), image_chart(scene, "image error against time on " + machine, Measure::rmse, false,
+                                                  [&](const ImageCurve& c) { return c.machine == machine; })});
+    const std::string first = scene.images->curves.front().traversal;
+    const auto of_first = [&](const ImageCurve& c) { return c.traversal == first; };
+    if (machines.size() > 1)
+        figures.push_back({name("rmse-machines"),
+                           image_chart(scene, "image error against time, " + first, Measure::rmse, true, of_first)});
+    figures.push_back({name("flip"), image_chart(scene, "the difference that is seen against time, " + first,
+                                                 Measure::flip, true, of_first)});
+    return figures;
+}
+
+std::vector<ErrorFigure> hit_figures(const HitReport& report) {
+    std::vector<ErrorFigure> figures;
+    for (const HitFamily& family : hit_families()) {
+        figures.push_back({fmt::format("p2-{}-faults", family.id), fault_chart(report, family)});
+        figures.push_back({fmt::format("p2-{}-ulps", family.id), ulp_chart(report, family)});
+    }
+    return figures;
+}
+
+std::vector<ErrorFigure> prediction_figures(const SceneErrorTime& scene) {
+    return {{fmt::format("p3-{}-lines", scene.stem), line_chart(scene)},
+            {fmt::format("p3-{}-rays", scene.stem), ray_chart(scene)}};
+}
+
+std::vector<ErrorFigure> build_figures(const SceneErrorTime& scene) {
+    const auto sah = [](const TreeRow& row, ChartPoint& point) { point.y = row.sah_ratio; };
+    const auto frame = [](const TreeRow& row, ChartPoint& point) {
+        point.y = row.frame_ratio;
+        point.y_interval = drawn(row.frame_ratio_interval);
+        point.marked = row.on_front;
+    };
+    return {{fmt::format("p4-{}-sah", scene.stem), build_chart(scene, "SAH cost", sah)},
+            {fmt::format("p4-{}-frames", scene.stem), build_chart(scene, "frame time", frame)}};
+}
+
+}  // namespace kd

@@ -1,0 +1,26 @@
+// Work-precision diagrams: what a method takes along x, how far off it is along y, both logarithmic; lower left is better.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/error_time/error_time_run.h"
+#include "viz/chart.h"
+
+namespace kd {
+
+struct ErrorFigure {
+    std::string name;  // of its files
+    Chart chart;
+};
+
+/// Those of P1: each machine with all its traversals, all machines, and the same in FLIP.
+[[nodiscard]] std::vector<ErrorFigure> image_figures(const SceneErrorTime& scene);
+/// Those of P2: faults and errors of t for each family.
+[[nodiscard]] std::vector<ErrorFigure> hit_figures(const HitReport& report);
+/// Those of P3: uniform lines, and the rays of a frame.
+[[nodiscard]] std::vector<ErrorFigure> prediction_figures(const SceneErrorTime& scene);
+/// Those of P4: SAH cost and frame time over build time.
+[[nodiscard]] std::vector<ErrorFigure> build_figures(const SceneErrorTime& scene);
+
+}  // namespace kd

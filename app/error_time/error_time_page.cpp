@@ -1,0 +1,329 @@
+#include "app/error_time/error_time_page.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/chart_files.h"
+#include "app/error_time/error_time_charts.h"
+#include "app/error_time/error_time_tables.h"
+#include "renderer/io/file.h"
+#include "renderer/io/printable.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::string_view head = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>kdscope: error against run time</title>
+<style>
+body { font: 16px/1.5 sans-serif; max-width: 1180px; margin: 2em auto; padding: 0 1em; color: #222; }
+h1, h2, h3 { line-height: 1.2; }
+h2 { border-top: 1px solid #ccc; padding-top: 1em; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(520px, 1fr)); gap: 1em; }
+figure { margin: 0; } img { width: 100%; height: auto; border: 1px solid #ddd; }
+figcaption, .small { font-size: 13px; color: #555; }
+table { border-collapse: collapse; margin: 1em 0; font-size: 14px; }
+th, td { padding: 2px 10px; text-align: right; border-bottom: 1px solid #ddd; }
+th:first-child, td:first-child { text-align: left; }
+</style>
+</head>
+<body>
+)";
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : printable(text, 2000)) {
+        switch (c) {
+            case '&': safe += "&amp;"; break;
+            case '<': safe += "&lt;"; break;
+            case '>': safe += "&gt;"; break;
+            case '"': safe += "&quot;"; break;
+            default: safe += c;
+        }
+    }
+    return safe;
+}
+
+using Cells = std::vector<std::string>;
+
+std::string row_of(const Cells& cells, const char* tag) {
+    std::string text = "<tr>";
+    for (const std::string& cell : cells) text += fmt::format("<{0}>{1}</{0}>", tag, cell);
+    return text + "</tr>\n";
+}
+
+class Page {
+  public:
+    Page(std::filesystem::path folder, const ErrorTimeResults& results, const std::stop_token& stop)
+        : folder_(std::move(folder)), results_(results), measured_on_(results.on.lines()), stop_(stop) {}
+
+    std::vector<std::string> write() {
+        html_ = head;
+        html_ +=
+            "<h1>Error against run time</h1>\n<p>Each diagram has what a method takes along x and how far off it is "
+            "along y, both logarithmic: lower left is better. A ring marks what nothing beats in both.</p>\n";
+        if (!can_draw_charts()) html_ += fmt::format("<p>{}.</p>\n", no_gnuplot_text);
+        html_ += "<p class=\"small\">";
+        for (const std::string& line : measured_on_) html_ += escaped(line) + "<br>\n";
+        html_ += fmt::format("All of it took {} s; {} s were aimed at.</p>\n",
+                             number_("all, seconds", results_.seconds, "{:.0f}"),
+                             number_("all, seconds aimed at", results_.config.seconds, "{:.0f}"));
+        if (results_.config.wants(ErrorReport::p1)) write_p1();
+        if (results_.hits) write_p2(*results_.hits);
+        if (results_.config.wants(ErrorReport::p3)) write_p3();
+        if (results_.config.wants(ErrorReport::p4)) write_p4();
+        save("numbers.csv", number_.csv());
+        html_ += "<p class=\"small\">Every number above stands in <a href=\"numbers.csv\">numbers.csv</a>.</p>\n"
+                 "</body>\n</html>\n";
+        save("index.html", html_);
+        return names_;
+    }
+
+  private:
+    void save(const std::string& name, const std::string& bytes) {
+        write_file(folder_ / name, bytes);
+        names_.push_back(name);
+    }
+
+    void save_table(const std::string& name, const std::string& csv) {
+        std::string text;
+        for (const std::string& line : measured_on_) text += "# " + printable(line, 1000) + '\n';
+        save(name, text + csv);
+        html_ += fmt::format("<p class=\"small\">All its numbers: <a href=\"{0}\">{0}</a></p>\n", escaped(name));
+    }
+
+    void show(const std::vector<ErrorFigure>& figures) {
+        html_ += "<div class=\"figures\">\n";
+        for (const ErrorFigure& figure : figures) {
+            const std::vector<std::string> files = write_chart(folder_, figure.name, figure.chart, measured_on_, stop_);
+            names_.insert(names_.end(), files.begin(), files.end());
+            if (files.size() < 2) continue;
+            html_ += fmt::format("<figure><a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a><figcaption><a "
+                                 "href=\"{0}.csv\">{0}.csv</a></figcaption></figure>\n",
+                                 escaped(figure.name), escaped(figure.chart.title));
+        }
+        html_ += "</div>\n";
+    }
+
+    void left_out(const SceneErrorTime& scene, ErrorReport report) {
+        for (const LeftOut& left : scene.left_out)
+            if (left.report == report)
+                html_ += fmt::format("<p><b>Left out</b> for {}: {}.</p>\n", escaped(scene.session.scene),
+                                     escaped(left.why));
+    }
+
+    void table(const Cells& titles, const std::vector<Cells>& rows) {
+        html_ += "<table>\n" + row_of(titles, "th");
+        for (const Cells& row : rows) html_ += row_of(row, "td");
+        html_ += "</table>\n";
+    }
+
+    std::string range(const std::string& name, double low, double high, const char* format) {
+        return number_(name + ", from", low, format) + " to " + number_(name + ", to", high, format);
+    }
+
+    void write_p1() {
+        html_ +=
+            "<h2>P1: image error against time</h2>\n<p>More samples per pixel bring an image nearer to the converged "
+            "one, whose reference is computed in double precision from samples of its own; random samples by the root "
+            "of their number (slope −0.5), stratified ones faster. Traversals find the same hits, so their curves are "
+            "one curve shifted sideways by their speed: a gap along y would be a fault.</p>\n";
+        for (const SceneErrorTime& scene : results_.scenes) {
+            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
+            left_out(scene, ErrorReport::p1);
+            if (!scene.images || scene.images->curves.empty()) continue;
+            write_images(scene);
+        }
+    }
+
+    void write_images(const SceneErrorTime& scene) {
+        const ImageReport& report = *scene.images;
+        const std::string at = scene.session.scene + ": P1: ";
+        html_ += fmt::format(
+            "<p>{}. {} x {} pixels, up to {} samples each, {} sets of random ones; the reference has {} and is itself "
+            "off by about {}. Size and samples are what fits into the time aimed at. RMSE is of the colours that the "
+            "tracers compute, neither rounded nor clipped; FLIP (Andersson et al. 2020) of the same as "
+            "displayed.</p>\n",
+            escaped(scene.contents), number_(at + "width", report.plan.width, "{:.0f}"),
+            number_(at + "height", report.plan.height, "{:.0f}"),
+            number_(at + "most samples", report.plan.most_samples, "{:.0f}"),
+            number_(at + "sets", report.plan.sets, "{:.0f}"),
+            number_(at + "reference samples", report.plan.reference_samples, "{:.0f}"),
+            number_(at + "reference RMSE", report.reference_rmse));
+        show(image_figures(scene));
+        std::vector<Cells> rows;
+        double worst = 0;
+        for (const ImageCurve& curve : report.curves) {
+            const std::string name = fmt::format("{}, {}, {}", name_of(curve.sampler), curve.machine, curve.traversal);
+            const std::string key = at + name;
+            if (curve.machine == report.curves.front().machine) worst = std::max(worst, curve.worst_gap);
+            rows.push_back({name, number_(key + ": slope", curve.fit.slope, "{:.2f}"),
+                            range(key + ": slope", curve.fit.interval.low, curve.fit.interval.high, "{:.2f}"),
+                            number_(key + ": frame ms", curve.frame.median_ms),
+                            range(key + ": frame ms", curve.frame.p25_ms, curve.frame.p75_ms, "{:.3g}"),
+                            number_(key + ": frames", curve.frame.samples, "{:.0f}"),
+                            number_(key + ": RMSE of most samples", curve.points.back().rmse),
+                            number_(key + ": FLIP of most samples", curve.points.back().flip),
+                            number_(key + ": largest gap", curve.worst_gap, "{:.1e}")});
+        }
+        table({"sampler, machine, traversal", "slope", "95 %", "frame ms", "middle half", "frames", "last RMSE",
+               "last FLIP", "largest gap to the first"},
+              rows);
+        html_ += fmt::format("<p>Traversals on one machine differ by at most {} in RMSE{}</p>\n",
+                             number_(at + "largest gap on the first machine", worst, "{:.1e}"),
+                             worst <= 1e-7 ? ": none changes the image." : ": a fault, for it may be rounding alone.");
+        save_table(fmt::format("p1-{}.csv", scene.stem), image_csv(report));
+        save_table(fmt::format("p1-{}-slopes.csv", scene.stem), slope_csv(report));
+    }
+
+    void write_p2(const HitReport& report) {
+        html_ += fmt::format(
+            "<h2>P2: hit error against time</h2>\n<p>Each diagram is one family of rays, {} of each at most, traced by "
+            "two triangle tests, two sets of rules and three traversals in single and double precision: the share of "
+            "rays "
+            "that miss what is there or hit something else, and the error of t. The rules as published and the test of "
+            "1997 are quicker and lose rays where geometry meets; double precision moves that away and does not mend "
+            "it. "
+            "The scenes given play no part in it: rays and triangles are those of the stability suite.</p>\n",
+            number_("P2: rays", double(report.rays), "{:.0f}"));
+        show(hit_figures(report));
+        std::vector<Cells> rows;
+        for (const HitRow& row : report.rows) {
+            if (row.method.traversal != Traversal::stack) continue;
+            const std::string name = row.family + ": " + row.method.family_name();
+            const std::string key = "P2: " + name;
+            const bool none = row.missed + row.wrong == 0;
+            rows.push_back({name,
+                            (none ? "0, below " : "") +
+                                number_(key + ": per million", none ? 1e6 * row.upper95 : row.per_million(), "{:.0f}"),
+                            number_(key + ": ulp, median", row.ulp_p50), number_(key + ": ulp, 99.9 %", row.ulp_p999),
+                            number_(key + ": ulp, largest", row.ulp_most),
+                            number_(key + ": ns per ray", row.ns, "{:.0f}"),
+                            range(key + ": ns per ray", row.quartiles.low, row.quartiles.high, "{:.0f}")});
+        }
+        html_ += "<details><summary>All methods with a stack, as numbers</summary>\n";
+        table({"family, method", "faults per million", "ulp, median", "99.9 %", "largest", "ns per ray", "middle half"},
+              rows);
+        html_ += "</details>\n";
+        save_table("p2.csv", hit_csv(report));
+    }
+
+    void write_p3() {
+        html_ +=
+            "<h2>P3: what the surface area heuristic predicts, and what is paid</h2>\n<p>For lines of which each is "
+            "as likely as any other and that nothing stops, the predicted cost of a tree has to be the counted one: "
+            "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay less, but better "
+            "trees should still be better for them: that is what the rank correlation says.</p>\n";
+        for (const SceneErrorTime& scene : results_.scenes) {
+            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
+            left_out(scene, ErrorReport::p3);
+            if (scene.trees) write_predictions(scene);
+        }
+    }
+
+    void write_predictions(const SceneErrorTime& scene) {
+        const TreeReport& report = *scene.trees;
+        const std::string at = scene.session.scene + ": P3: ";
+        show(prediction_figures(scene));
+        Cells titles{"tree", "predicted", "lines: counted / predicted", "interior nodes", "triangle tests"};
+        for (std::size_t pass = 0; pass < pass_count; ++pass)
+            if (report.rays[pass] > 0) titles.push_back(fmt::format("{} ray", ray_names[pass]));
+        titles.emplace_back("frame ms");
+        std::vector<Cells> rows;
+        double worst = 0;
+        for (const TreeRow& row : report.rows) {
+            const std::string key = at + row.name();
+            worst = std::max(worst, std::abs(row.line_cost_ratio() - 1));
+            Cells cells{row.name(), number_(key + ": predicted", row.stats.sah_cost, "{:.2f}"),
+                        number_(key + ": lines, counted / predicted", row.line_cost_ratio(), "{:.4f}"),
+                        number_(key + ": lines, interior", row.line_interior_ratio(), "{:.4f}"),
+                        number_(key + ": lines, tests", row.line_test_ratio(), "{:.4f}")};
+            for (std::size_t pass = 0; pass < pass_count; ++pass)
+                if (report.rays[pass] > 0)
+                    cells.push_back(number_(fmt::format("{}: cost per {} ray", key, ray_names[pass]),
+                                            row.cost_per_ray[pass], "{:.2f}"));
+            cells.push_back(number_(key + ": frame ms", row.frame.median_ms));
+            rows.push_back(std::move(cells));
+        }
+        Cells tau{"Kendall's tau with the prediction", "", "", "", ""};
+        for (std::size_t pass = 0; pass < pass_count; ++pass)
+            if (report.tau[pass])
+                tau.push_back(
+                    number_(fmt::format("{}tau of {} rays", at, ray_names[pass]), *report.tau[pass], "{:+.2f}"));
+        tau.push_back(number_(at + "tau of the frame time", report.frame_tau, "{:+.2f}"));
+        rows.push_back(tau);
+        table(titles, rows);
+        html_ +=
+            fmt::format("<p>Over {} lines the prediction is off by at most {} %{}</p>\n",
+                        number_(at + "lines", double(report.rows.front().lines.rays), "{:.0f}"),
+                        number_(at + "largest error, percent", 100 * worst, "{:.2f}"),
+                        worst <= 0.05 ? ", within the 5 % that chance explains." : ": the cost is counted wrongly.");
+        save_table(fmt::format("p3-{}.csv", scene.stem), tree_csv(report));
+    }
+
+    void write_p4() {
+        html_ +=
+            "<h2>P4: build time against quality</h2>\n<p>A builder that looks harder for splits takes longer and makes "
+            "trees whose frames are quicker. Whether that pays depends on how many frames are traced with the tree: "
+            "from the break-even number on, the reference is the better choice.</p>\n";
+        for (const SceneErrorTime& scene : results_.scenes) {
+            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
+            left_out(scene, ErrorReport::p4);
+            const bool told =
+                std::ranges::any_of(scene.left_out, [](const LeftOut& l) { return l.report == ErrorReport::p4; });
+            if (scene.trees && !told) write_builds(scene);
+        }
+    }
+
+    void write_builds(const SceneErrorTime& scene) {
+        const TreeReport& report = *scene.trees;
+        const std::string at = scene.session.scene + ": P4: ";
+        show(build_figures(scene));
+        std::vector<Cells> rows;
+        for (std::size_t i = 0; i < report.rows.size(); ++i) {
+            const TreeRow& row = report.rows[i];
+            const std::string key = at + row.name();
+            std::string pays = i == report.reference               ? "the reference"
+                               : row.frame_ratio_interval.high < 1 ? "never: its frames are slower"
+                                                                   : "no difference seen";
+            if (row.break_even_frames) pays = number_(key + ": break-even frames", *row.break_even_frames, "{:.0f}");
+            rows.push_back(
+                {row.name() + (row.cap_hit ? " (reference cap hit)" : ""),
+                 number_(key + ": build ms", row.build.median_ms),
+                 range(key + ": build ms", row.build.p25_ms, row.build.p75_ms, "{:.3g}"),
+                 number_(key + ": SAH ratio", row.sah_ratio, "{:.3f}"),
+                 number_(key + ": frame ms", row.frame.median_ms),
+                 number_(key + ": frame ratio", row.frame_ratio, "{:.3f}"),
+                 range(key + ": frame ratio", row.frame_ratio_interval.low, row.frame_ratio_interval.high, "{:.3f}"),
+                 pays});
+        }
+        table({"tree", "build ms", "middle half", "SAH / reference", "frame ms", "frame / reference", "95 %",
+               "reference pays from frame"},
+              rows);
+        html_ +=
+            fmt::format("<p>Frames of {} x {} pixels by the CPU.</p>\n", number_(at + "width", report.width, "{:.0f}"),
+                        number_(at + "height", report.height, "{:.0f}"));
+        save_table(fmt::format("p4-{}.csv", scene.stem), tree_csv(report));
+    }
+
+    std::filesystem::path folder_;
+    const ErrorTimeResults& results_;
+    std::vector<std::string> measured_on_;
+    const std::stop_token& stop_;
+    ShownNumbers number_;
+    std::string html_;
+    std::vector<std::string> names_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_error_time(const std::filesystem::path& folder, const ErrorTimeResults& results,
+                                          const std::stop_token& stop) {
+    return Page(folder, results, stop).write();
+}
+
+}  // namespace kd

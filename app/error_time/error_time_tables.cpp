@@ -1,0 +1,85 @@
+#include "app/error_time/error_time_tables.h"
+
+#include <fmt/format.h>
+
+#include "viz/chart_csv.h"
+
+namespace kd {
+
+std::string image_csv(const ImageReport& report) {
+    std::string text =
+        "sampler,machine,traversal,samples,seconds,seconds_p25,seconds_p75,rmse,rmse_low,rmse_high,own_rmse,flip,"
+        "on_front\n";
+    for (const ImageCurve& c : report.curves)
+        for (const ImagePoint& p : c.points)
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(c.sampler), c.machine, c.traversal,
+                                p.samples, p.seconds, p.quartiles.low, p.quartiles.high, p.rmse, p.rmse_interval.low,
+                                p.rmse_interval.high, p.own_rmse, p.flip, int(p.on_front));
+    return text;
+}
+
+std::string slope_csv(const ImageReport& report) {
+    std::string text = "sampler,machine,traversal,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,"
+                       "frames,largest_gap\n";
+    for (const ImageCurve& c : report.curves)
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(c.sampler), c.machine, c.traversal,
+                            csv_field(c.clock), c.fit.slope, c.fit.interval.low, c.fit.interval.high, c.frame.median_ms,
+                            c.frame.p25_ms, c.frame.p75_ms, c.frame.samples, c.worst_gap);
+    return text;
+}
+
+std::string hit_csv(const HitReport& report) {
+    std::string text =
+        "family,triangle_test,precision,rules,traversal,rays,missed,wrong,per_million,per_million_upper95,"
+        "ulp_p50,ulp_p999,ulp_largest,ns_per_ray,ns_p25,ns_p75,rounds,on_front\n";
+    for (const HitRow& r : report.rows)
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.family,
+                            triangle_test_names[std::size_t(r.method.test)], r.method.in_double ? "double" : "float",
+                            info(r.method.rules).name, info(r.method.traversal).name, r.n, r.missed, r.wrong,
+                            r.per_million(), 1e6 * r.upper95, r.ulp_p50, r.ulp_p999, r.ulp_most, r.ns, r.quartiles.low,
+                            r.quartiles.high, r.rounds, int(r.on_front));
+    return text;
+}
+
+std::string tree_csv(const TreeReport& report) {
+    std::string text = "builder,leaf_size,nodes,references,reference_cap_hit,sah_cost,expected_interior,expected_tests,"
+                       "lines,line_cost,line_cost_standard_error,line_interior,line_tests";
+    for (const auto name : ray_names)
+        text += fmt::format(",cost_per_{}_ray", name == "reflection shadow" ? "reflection_shadow" : name);
+    text +=
+        ",build_ms,build_ms_p25,build_ms_p75,builds,frame_ms,frame_ms_p25,frame_ms_p75,frames,sah_ratio,frame_ratio,"
+        "frame_ratio_p25,frame_ratio_p75,break_even_frames,on_front,is_reference\n";
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
+        const TreeRow& r = report.rows[i];
+        const double lines = double(std::max<std::int64_t>(r.lines.rays, 1));
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", r.builder, r.leaf_size, r.stats.nodes,
+                            r.stats.references, int(r.cap_hit), r.stats.sah_cost, r.stats.expected_interior_visits,
+                            r.stats.expected_triangle_tests, r.lines.rays, r.lines.mean_cost(),
+                            r.lines.standard_error(), r.lines.interior / lines, r.lines.tests / lines);
+        for (std::size_t pass = 0; pass < pass_count; ++pass)
+            text += report.rays[pass] > 0 ? fmt::format(",{}", r.cost_per_ray[pass]) : ",";
+        text +=
+            fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.build.median_ms, r.build.p25_ms,
+                        r.build.p75_ms, r.build.samples, r.frame.median_ms, r.frame.p25_ms, r.frame.p75_ms,
+                        r.frame.samples, r.sah_ratio, r.frame_ratio, r.frame_ratio_interval.low,
+                        r.frame_ratio_interval.high, r.break_even_frames ? fmt::format("{}", *r.break_even_frames) : "",
+                        int(r.on_front), int(i == report.reference));
+    }
+    return text;
+}
+
+std::string ShownNumbers::operator()(const std::string& name, double value) { return (*this)(name, value, "{:.3g}"); }
+
+std::string ShownNumbers::operator()(const std::string& name, double value, const char* format) {
+    entries_.push_back({name, fmt::format(fmt::runtime(format), value), value});
+    return fmt::format("<data value=\"{}\">{}</data>", value, entries_.back().shown);
+}
+
+std::string ShownNumbers::csv() const {
+    std::string text = "name,shown,value\n";
+    for (const Entry& entry : entries_)
+        text += fmt::format("{},{},{}\n", csv_field(entry.name), csv_field(entry.shown), entry.value);
+    return text;
+}
+
+}  // namespace kd

@@ -1,0 +1,193 @@
+#include "app/paper/paper_page.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/chart_files.h"
+#include "app/command.h"
+#include "renderer/io/file.h"
+#include "renderer/io/png.h"
+
+namespace kd {
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { font: 16px/1.5 'Inter', 'DejaVu Sans', sans-serif; color: #222; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.7rem; margin-bottom: 0.2rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ccc; }
+p.lead { color: #555; margin-top: 0; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-size: 0.82rem; width: 100%; }
+th, td { text-align: left; padding: 0.25rem 0.5rem; border-bottom: 1px solid #ddd; vertical-align: top; }
+th { color: #555; font-weight: 600; } td { font-variant-numeric: tabular-nums; }
+.verdict { font-weight: 600; white-space: nowrap; }
+.reproduced { color: #00664b; } .not-reproduced { color: #a34700; } .undecided { color: #555; }
+figure { margin: 1rem 0; break-inside: avoid; } figure img { width: 100%; height: auto; border: 1px solid #eee; }
+figcaption { font-size: 0.9rem; color: #444; }
+.pictures figure { display: inline-block; width: 31%; margin: 0 1.5% 1rem 0; vertical-align: top; }
+.pictures img { image-rendering: pixelated; }
+.claims td { padding: 0.45rem 0.6rem; } small { display: block; color: #666; font-size: 0.74rem; font-weight: 400; white-space: normal; }
+@page { size: A4 landscape; margin: 12mm; }
+@media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
+)";
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            default: result += c;
+        }
+    return result;
+}
+
+/// "not-reproduced": a class of the style sheet.
+std::string style_class(std::string verdict) {
+    std::ranges::replace(verdict, ' ', '-');
+    return verdict;
+}
+
+std::string file_link(const std::string& name) { return fmt::format("<p><a href=\"{0}.csv\">{0}.csv</a></p>\n", name); }
+
+/// The first `columns` of a table, with a link to the file that holds all of it.
+std::string table_html(const PaperTable& table, std::size_t columns) {
+    std::string html = "<div class=\"scroll\"><table>\n<tr>";
+    columns = std::min(columns, table.header.size());
+    for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<th>{}</th>", escaped(table.header[i]));
+    html += "</tr>\n";
+    for (const std::vector<std::string>& row : table.rows) {
+        html += "<tr>";
+        for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<td>{}</td>", escaped(row[i]));
+        html += "</tr>\n";
+    }
+    return html + "</table></div>\n" + file_link(table.name);
+}
+
+/// A row per claim: what it says and where, our number and what it is, what is accepted, the verdict and why.
+std::string verdicts_html(const std::vector<PaperClaim>& claims) {
+    std::string html =
+        "<div class=\"scroll\"><table class=\"claims\">\n<tr><th></th><th>the paper says</th><th>our number, 95 % "
+        "interval</th><th>accepted</th><th>verdict</th></tr>\n";
+    for (const PaperClaim& c : claims) {
+        const std::string verdict(name_of(c.verdict));
+        html += fmt::format("<tr><td>{}</td><td>{}<small>{}</small></td><td>{}<small>{}</small></td><td>{}</td>"
+                            "<td class=\"verdict {}\">{}<small>{}</small></td></tr>\n",
+                            escaped(c.id), escaped(c.claim), escaped(c.where), escaped(interval_text(c.value)),
+                            escaped(c.measure), c.measure == "–" ? "–" : c.accepted.text(), style_class(verdict),
+                            verdict, escaped(c.reason));
+    }
+    return html + "</table></div>\n" + file_link("verdicts");
+}
+
+std::string figure_html(const PaperFigure& figure, bool drawn) {
+    const std::string image = fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n", figure.name,
+                                          escaped(figure.chart.title));
+    return fmt::format(
+        "<figure id=\"{0}\">\n{1}<figcaption>{2} <a href=\"{0}.csv\">{0}.csv</a></figcaption>\n</figure>\n",
+        figure.name, drawn ? image : "", escaped(figure.shows));
+}
+
+std::string pictures_html(const PaperResults& results) {
+    std::string html = "<div class=\"pictures\">\n";
+    for (const PaperPicture& picture : results.pictures)
+        html += fmt::format(
+            "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption></figure>\n",
+            escaped(picture.file), escaped(picture.caption));
+    return html + "</div>\n";
+}
+
+std::string heading(const std::string& text) { return fmt::format("<h2>{}</h2>\n", escaped(text)); }
+
+std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escaped(text)); }
+
+/// "5 reproduced, 4 not reproduced, 9 undecided".
+std::string tally(const std::vector<PaperClaim>& claims) {
+    std::string text;
+    for (const PaperVerdict verdict : {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided})
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                            std::ranges::count(claims, verdict, &PaperClaim::verdict), name_of(verdict));
+    return text;
+}
+
+std::string head_of(const PaperResults& results, const std::vector<PaperClaim>& claims) {
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width\">\n<title>The paper again</title>\n<style>{}</style>\n</head>\n<body>\n"
+        "<h1>The paper again</h1>\n<p class=\"lead\">Ikrima Elhassan, “An Analysis of GPU-based Interactive "
+        "Raytracing”: its "
+        "experiments, made again by kdscope {} ({}). {}.</p>\n",
+        style, escaped(results.on.version), escaped(results.on.commit), escaped(tally(claims)));
+    if (results.on.software_gl)
+        html +=
+            paragraph("OpenGL is a program here: the shaders ran on the CPU. What the paper claims of a GPU against a "
+                      "CPU is told with its number and left undecided.");
+    if (!results.has_gpu_times()) html += paragraph("There was no OpenGL here, so GPURT is missing.");
+    if (!results.complete) html += paragraph("The run was interrupted: what is missing was not measured.");
+    return html;
+}
+
+}  // namespace
+
+std::string paper_page(const PaperResults& results, const std::vector<PaperClaim>& claims,
+                       const std::vector<PaperFigure>& figures, bool drawn) {
+    std::string html = head_of(results, claims);
+    html += heading("Verdicts");
+    html +=
+        paragraph("A claim is reproduced where the whole interval of our number is accepted, not reproduced where none "
+                  "of it is, and undecided otherwise. Where the paper prints a factor, what lies nearer to it than to "
+                  "half or twice of it is accepted.");
+    html += verdicts_html(claims);
+    html += heading("Figures");
+    if (!drawn) html += paragraph(no_gnuplot_text);
+    for (const PaperFigure& figure : figures) html += figure_html(figure, drawn);
+    if (!results.pictures.empty()) {
+        html += heading("Unfinished pixels");
+        html += paragraph("How each primary ray ended under a ceiling of steps: orange was given up, blue hit "
+                          "something, dark nothing.");
+        html += pictures_html(results);
+        html += table_html(budget_table(results), 6);
+    }
+    html += heading("Times") + table_html(time_table(results), 13);
+    html += heading("Counts") + table_html(count_table(results), 99);
+    html += heading("How this was measured");
+    html +=
+        paragraph("Every tracer of every scene runs once to warm up, then all of them in turn, in one order and the "
+                  "reverse of it by turns. Ratios are taken round by round; their interval is the sign test's for the "
+                  "median. Compiling, uploading and building are not in the times. The CPU tracers have as many "
+                  "threads as the table says; the paper's processor had one.");
+    html += table_html(run_table(results, claims), 2);
+    return html + "</body>\n</html>\n";
+}
+
+void write_paper(const std::filesystem::path& folder, const PaperResults& results, const FileDone& file_done,
+                 const std::stop_token& stop) {
+    const std::vector<std::string> comments = results.on.lines();
+    const std::vector<PaperClaim> claims = judge_claims(results);
+    const std::vector<PaperFigure> figures = paper_figures(results);
+    const auto begin = [&](const std::string& name) {
+        if (stop.stop_requested()) throw Interrupted();
+        file_done(name);
+    };
+    for (const PaperTable& table : {verdict_table(claims), time_table(results), count_table(results),
+                                    budget_table(results), run_table(results, claims)}) {
+        begin(table.name + ".csv");
+        write_file(folder / (table.name + ".csv"), table_csv(table, comments));
+    }
+    for (const PaperFigure& figure : figures) {
+        begin(figure.name);
+        (void)write_chart(folder, figure.name, figure.chart, comments, stop);
+    }
+    for (const PaperPicture& picture : results.pictures) {
+        begin(picture.file);
+        write_png(folder / picture.file, *picture.image);
+    }
+    begin("results.json");
+    write_file(folder / "results.json", json_text(paper_json(results, claims)));
+    begin("index.html");
+    write_file(folder / "index.html", paper_page(results, claims, figures, can_draw_charts()));
+}
+
+}  // namespace kd

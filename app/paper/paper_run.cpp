@@ -1,0 +1,246 @@
+#include "app/paper/paper_run.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+#include "app/command.h"
+#include "app/frame_tracer.h"
+#include "app/machine_info.h"
+#include "app/paper/paper_counts.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/measure/paper/node_sizes.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::array<int, 5> loop_budgets{64, 128, 255, 512, 1024};
+constexpr std::array<const char*, 6> limited_scenes{"ball:1000", "ball:2000",    "ball:4000",
+                                                    "ball:9000", "scatter:2000", "scatter:10000"};
+constexpr std::array<const char*, 3> pictured_scenes{"ball:2000", "ball:9000", "scatter:10000"};
+constexpr std::array<const char*, 2> node_size_scenes{"ball:9000", "scatter:10000"};
+
+/// Tracers of one scene, and the method each of its contestants stands for.
+struct Stage {
+    std::unique_ptr<PaperWorld> world;  // before the tracers that read it
+    std::unique_ptr<FrameTracer> cpu, gpu;
+};
+
+class PaperRun {
+  public:
+    PaperRun(const PaperConfig& config, const PaperProgress& progress, const std::stop_token& stop)
+        : config_(config), progress_(progress), stop_(stop) {
+        results_.width = config.base.width;
+        results_.height = config.base.height;
+        results_.quick = config.quick;
+        results_.on = measured_on(config.base.threads, config.base.seed, nullptr);
+    }
+
+    PaperResults run() {
+        count_scenes();
+        compare_seeds();
+        limit_loops();
+        compare_node_sizes();
+        time_all();
+        results_.complete = !stop_.stop_requested();
+        return std::move(results_);
+    }
+
+  private:
+    [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
+    void tell(float fraction, const std::string& what) {
+        if (progress_) progress_(fraction, what, results_);
+    }
+
+    void count_scenes() {
+        for (const PaperSceneInfo& info : paper_scenes()) {
+            if (stopped()) return;
+            const std::string name(info.name);
+            tell(0.04f * float(results_.scenes.size()) / float(paper_scenes().size()), "counting in " + name);
+            Stage stage;
+            stage.world = open_world(config_, name, config_.base.seed, stop_);
+            if (!stage.world) return;
+            results_.scenes.push_back(count_scene(config_, name, *stage.world, stop_));
+            stages_[name] = std::move(stage);
+        }
+    }
+
+    /// Other scenes of the same make tell how far a ratio is the scene's own.
+    void compare_seeds() {
+        const unsigned seeds = config_.quick ? 6 : 8;
+        for (PaperScene& scene : results_.scenes) {
+            if (scene.name != "scatter:10000" && scene.name != "sheet:10000") continue;
+            for (unsigned seed = 1; seed <= seeds && !stopped(); ++seed) {
+                tell(0.05f + 0.04f * float(seed) / float(seeds), fmt::format("nodes of {}, seed {}", scene.name, seed));
+                scene.seed_node_ratios.push_back(seed_node_ratio(config_, scene.name, seed, stop_));
+            }
+        }
+        if (stopped())
+            for (PaperScene& scene : results_.scenes) scene.seed_node_ratios.clear();
+    }
+
+    void limit_loops() {
+        for (const char* name : limited_scenes) {
+            if (stopped()) return;
+            tell(0.1f, fmt::format("loops with a ceiling in {}", name));
+            const auto known = stages_.find(name);
+            const std::unique_ptr<PaperWorld> own =
+                known == stages_.end() ? open_world(config_, name, config_.base.seed, stop_) : nullptr;
+            const PaperWorld* world = known == stages_.end() ? own.get() : known->second.world.get();
+            if (!world) return;
+            for (const int budget : loop_budgets) {
+                PaperPicture picture;
+                const bool pictured =
+                    std::ranges::find(pictured_scenes, std::string_view(name)) != pictured_scenes.end() &&
+                    (budget == 255 || budget == 128 || budget == 1024);
+                const PaperBudget row =
+                    limited_loop(config_, name, *world, budget, pictured ? &picture : nullptr, stop_);
+                if (stopped()) return;
+                results_.budgets.push_back(row);
+                if (pictured) results_.pictures.push_back(std::move(picture));
+            }
+        }
+    }
+
+    void compare_node_sizes() {
+        for (const char* name : node_size_scenes) {
+            if (stopped()) return;
+            tell(0.12f, fmt::format("nodes of 16 and 8 bytes in {}", name));
+            const auto stage = stages_.find(name);
+            if (stage == stages_.end()) return;
+            const PaperWorld& w = *stage->second.world;
+            PaperNodeSizes sizes = compare_nodes(w.scene, w.tree, w.camera, results_.width, results_.height,
+                                                 config_.quick ? 9 : 15, stop_);
+            sizes.scene = name;
+            if (!stopped()) results_.node_sizes.push_back(std::move(sizes));
+        }
+    }
+
+    void open_gpu(Stage& stage) {
+        if (!config_.gpu) return;
+        try {
+            const GlChoices choices{.context = config_.context, .early_z = config_.base.early_z};
+            stage.gpu = make_frame_tracer(TracerKind::gl_fragment, stage.world->scene, stage.world->tree, 0, choices);
+        } catch (const ContextError& error) {
+            if (config_.context != ContextKind::automatic) throw;
+            note_once(fmt::format("GPURT left out: {}", error.what()));
+        } catch (const InputError& error) {
+            note_once(fmt::format("GPURT left out: {}", error.what()));
+        }
+    }
+
+    /// Of a frame: what is affordable in turn with the others.
+    [[nodiscard]] double naive_limit_ms() const { return std::max(200.0, 10 * config_.budget_s); }
+
+    void note_once(const std::string& note) {
+        if (std::ranges::find(results_.notes, note) == results_.notes.end()) results_.notes.push_back(note);
+    }
+
+    /// Whether a frame by every triangle is affordable, from an eighth of it along each side.
+    bool affordable(Stage& stage, TraceConfig config) {
+        const int width = std::max(1, results_.width / 8), height = std::max(1, results_.height / 8);
+        const PinholeCamera camera = pinhole(stage.world->scene.camera, width, height);
+        const double small = stage.cpu->trace(config, camera, width, height, stop_).total_ms;
+        return 64 * small <= naive_limit_ms();
+    }
+
+    void add_contestants(PaperScene& scene, Stage& stage) {
+        stage.cpu = make_frame_tracer(TracerKind::cpu, stage.world->scene, stage.world->tree, config_.base.threads, {});
+        open_gpu(stage);
+        for (const PaperMethodInfo& method : paper_methods()) {
+            if (stopped()) return;
+            FrameTracer* tracer = method.gpu ? stage.gpu.get() : stage.cpu.get();
+            if (!tracer) continue;
+            TraceConfig trace = config_.base.trace;
+            trace.traversal = method.traversal;
+            trace.counters = false;
+            if (method.id == PaperMethod::naive && !affordable(stage, trace)) {
+                note_once(fmt::format("CPU naive is left out where a frame of it would take longer than {:.0f} ms",
+                                      naive_limit_ms()));
+                continue;
+            }
+            prepare(scene, stage, method, *tracer, trace);
+        }
+    }
+
+    void prepare(PaperScene& scene, Stage& stage, const PaperMethodInfo& method, FrameTracer& tracer,
+                 const TraceConfig& trace) {
+        tracer.prepare(trace, results_.width, results_.height);
+        // The first draw ends what the compiler began.
+        tracer.trace(trace, stage.world->camera, results_.width, results_.height, stop_);
+        PaperTimes times;
+        times.method = method.id;
+        times.clock = tracer.clock();
+        times.upload_ms = tracer.setup().upload_ms;
+        times.compile_ms = tracer.setup().compile_ms;
+        scene.times.push_back(times);
+        const std::string name = fmt::format("{} on {}", method.name, scene.name);
+        contestants_.push_back({name, [this, &stage, &tracer, trace, name] {
+                                    if (stopped()) throw Interrupted();
+                                    const FrameTime time = tracer.trace(trace, stage.world->camera, results_.width,
+                                                                        results_.height, stop_);
+                                    if (!time.complete) throw Interrupted();
+                                    return time.sample();
+                                }});
+    }
+
+    /// Hands the rounds to the scenes in the order in which the contestants were made.
+    void take_over(std::span<const TimedRounds> timed) {
+        std::size_t i = 0;
+        for (PaperScene& scene : results_.scenes)
+            for (PaperTimes& times : scene.times) times.timed = timed[i++];
+        results_.rounds = timed.empty() ? 0 : int(timed.front().rounds.size());
+    }
+
+    void time_all() {
+        for (PaperScene& scene : results_.scenes) {
+            if (stopped()) return;
+            tell(0.15f, "preparing tracers of " + scene.name);
+            add_contestants(scene, stages_.at(scene.name));
+        }
+        for (const auto& [name, stage] : stages_)
+            if (stage.gpu) results_.on = measured_on(config_.base.threads, config_.base.seed, stage.gpu.get());
+        tell(0.2f, "warming up");
+        const TimingPlan plan{
+            .warmup = config_.warmup, .rounds = config_.most_rounds, .budget_s = config_.budget_s, .least_rounds = 6};
+        const auto begin = std::chrono::steady_clock::now();
+        const auto show = [&](int rounds, std::span<const TimedRounds> so_far) {
+            take_over(so_far);
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+            const double done = std::max(double(rounds) / plan.rounds,
+                                         std::min(spent.count() / plan.budget_s, double(rounds) / plan.least_rounds));
+            tell(0.2f + 0.8f * float(std::min(done, 1.0)), fmt::format("round {} of all tracers in turn", rounds));
+        };
+        try {
+            (void)time_in_turn(contestants_, plan, show);
+        } catch (const Interrupted&) {
+            // What the rounds before gave is kept.
+        }
+    }
+
+    const PaperConfig& config_;
+    const PaperProgress& progress_;
+    const std::stop_token& stop_;
+    PaperResults results_;
+    std::map<std::string, Stage, std::less<>> stages_;
+    std::vector<Contestant> contestants_;
+};
+
+}  // namespace
+
+PaperConfig paper_config(bool quick) {
+    PaperConfig config;
+    config.base.threads = 1;
+    config.quick = quick;
+    if (!quick) return config;
+    config.base.width = config.base.height = 128;
+    config.budget_s = 20;
+    return config;
+}
+
+PaperResults run_paper(const PaperConfig& config, const PaperProgress& progress, const std::stop_token& stop) {
+    return PaperRun(config, progress, stop).run();
+}
+
+}  // namespace kd

@@ -1,0 +1,34 @@
+// The paper's experiments, made again: scenes, counts, limited loops, node sizes, and times in turn.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+
+#include "app/session.h"
+#include "renderer/gl/context.h"
+#include "renderer/measure/paper/paper_results.h"
+
+namespace kd {
+
+struct PaperConfig {
+    Session base;  // size, seed, tree, rules, threads and early z of every measurement; its scene is not used
+    ContextKind context = ContextKind::automatic;
+    bool gpu = true;
+    bool quick = false;
+    double budget_s = 300;  // of the timed rounds
+    int warmup = 1;
+    int most_rounds = 31;
+};
+
+/// 512x512, one CPU thread as in 2006, five minutes of rounds; `quick`: 128x128 and twenty seconds.
+[[nodiscard]] PaperConfig paper_config(bool quick);
+
+/// 0..1, what is being done, and all that was found so far.
+using PaperProgress = std::function<void(float, const std::string&, const PaperResults&)>;
+
+/// Ends early, incomplete, where stopped. InputError, ContextError (only where `context` names one that is not there).
+[[nodiscard]] PaperResults run_paper(const PaperConfig& config, const PaperProgress& progress,
+                                     const std::stop_token& stop = {});
+
+}  // namespace kd

@@ -1,0 +1,251 @@
+#include "renderer/measure/error_time/image_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/measure/double_path.h"
+#include "renderer/measure/error_time/flip.h"
+#include "renderer/measure/error_time/image_error.h"
+#include "renderer/measure/error_time/ranking.h"
+#include "renderer/scene/needs.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::array samplers{Sampler::regular, Sampler::independent, Sampler::stratified};
+constexpr std::uint64_t reference_seed = 0x5eed0000;
+
+int level_count(int most_samples) { return int(std::lround(std::log2(most_samples))) + 1; }
+
+/// Frames that one set of a sampler takes for all numbers of samples up to `most`: nested ones share theirs.
+int frames_of_set(Sampler sampler, int most) { return sampler == Sampler::independent ? most : 2 * most - 1; }
+
+std::uint64_t set_seed(unsigned seed, Sampler sampler, int set, int level) {
+    return (std::uint64_t(seed) << 32) + (std::uint64_t(sampler) << 24) + (std::uint64_t(level) << 16) +
+           std::uint64_t(set);
+}
+
+/// What one set of samples came to, per number of samples.
+struct SetErrors {
+    std::vector<double> mean_squares, flips;
+};
+
+class ImageRun {
+  public:
+    struct Stopped {};
+
+    ImageRun(const ImageTask& task, const std::function<void(float, const std::string&)>& progress,
+             std::stop_token stop)
+        : task_(task), progress_(progress), stop_(std::move(stop)),
+          camera_(pinhole(task.scene.camera, task.plan.width, task.plan.height)) {}
+
+    void measure(ImageReport& report) {
+        const auto told = [this](float done) { tell(0.4f * done, "the reference in double precision"); };
+        const ReferenceImage reference = reference_image(task_, told, stop_);
+        check_stop();
+        report.reference_rmse = reference.rmse;
+        reference_ = &reference.mean;
+        const Flip flip(reference.mean);
+        flip_ = &flip;
+        const std::vector<TimeSummary> frames = time_frames();
+        for (const Sampler sampler : samplers) measure_sampler(sampler, frames, report);
+        mark_front(report);
+    }
+
+  private:
+    void check_stop() const {
+        if (stop_.stop_requested()) throw Stopped{};
+    }
+    void tell(float fraction, const std::string& what) const {
+        if (progress_) progress_(fraction, what);
+    }
+
+    [[nodiscard]] std::vector<TimeSummary> time_frames() {
+        std::vector<Contestant> contestants;
+        for (const ImageMethod& method : task_.methods)
+            contestants.push_back({method.machine, [&, this] {
+                                       check_stop();
+                                       tell(0.4f, "frames of all methods in turn");
+                                       return TimeSample{method.trace(camera_, colour_)};
+                                   }});
+        std::vector<TimeSummary> frames;
+        for (const TimedRounds& timed : time_in_turn(contestants, {1, 31, task_.frame_seconds, 5}))
+            frames.push_back(timed.total());
+        return frames;
+    }
+
+    void measure_sampler(Sampler sampler, const std::vector<TimeSummary>& frames, ImageReport& report) {
+        const int sets = sampler == Sampler::regular ? 1 : task_.plan.sets;
+        std::vector<SetErrors> further;
+        for (int set = 1; set < sets; ++set) further.push_back(trace_set(task_.methods.front(), sampler, set));
+        std::vector<double> first_rmse;
+        for (std::size_t m = 0; m < task_.methods.size(); ++m) {
+            const ImageMethod& method = task_.methods[m];
+            ImageCurve curve{sampler, method.machine, method.traversal, method.clock, frames[m], {}, {}, 0};
+            std::vector<SetErrors> all{trace_set(method, sampler, 0)};
+            all.insert(all.end(), further.begin(), further.end());
+            fill(curve, all);
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                const double own = curve.points[i].own_rmse;
+                if (m == 0) first_rmse.push_back(own);
+                curve.worst_gap = std::max(curve.worst_gap, std::abs(own - first_rmse[i]));
+            }
+            report.curves.push_back(std::move(curve));
+        }
+    }
+
+    SetErrors trace_set(const ImageMethod& method, Sampler sampler, int set) {
+        const int levels = level_count(task_.plan.most_samples);
+        SetErrors errors;
+        if (sampler == Sampler::independent) {
+            SampleMean mean(task_.plan.width, task_.plan.height);
+            const auto offsets =
+                sample_offsets(sampler, task_.plan.most_samples, set_seed(task_.seed, sampler, set, 0));
+            for (const glm::dvec2 offset : offsets) {
+                add_sample(method, offset, mean);
+                if ((mean.samples() & (mean.samples() - 1)) == 0) judge(mean, errors);
+            }
+            return errors;
+        }
+        for (int level = 0; level < levels; ++level) {
+            SampleMean mean(task_.plan.width, task_.plan.height);
+            const auto offsets = sample_offsets(sampler, 1 << level, set_seed(task_.seed, sampler, set, level));
+            for (const glm::dvec2 offset : offsets) add_sample(method, offset, mean);
+            judge(mean, errors);
+        }
+        return errors;
+    }
+
+    void add_sample(const ImageMethod& method, glm::dvec2 offset, SampleMean& mean) {
+        check_stop();
+        method.trace(shifted(camera_, offset, task_.plan.width, task_.plan.height), colour_);
+        check_stop();
+        mean.add(colour_);
+        tell(0.4f + 0.6f * float(++traced_) / float(all_frames()),
+             fmt::format("samples by {} on {}", method.traversal, method.machine));
+    }
+
+    void judge(const SampleMean& mean, SetErrors& errors) const {
+        const Image<glm::dvec3> image = mean.mean();
+        errors.mean_squares.push_back(mean_square_error(image, *reference_));
+        errors.flips.push_back(flip_->mean(image));
+    }
+
+    void fill(ImageCurve& curve, const std::vector<SetErrors>& all) const {
+        SquaredErrors squares;
+        for (const SetErrors& set : all) squares.push_back(set.mean_squares);
+        const std::vector<double> roots = root_means(squares);
+        std::vector<double> samples;
+        for (std::size_t i = 0; i < roots.size(); ++i) {
+            ImagePoint point;
+            point.samples = 1 << i;
+            samples.push_back(point.samples);
+            const double scale = 1e-3 * point.samples;
+            point.seconds = scale * curve.frame.median_ms;
+            point.quartiles = {scale * curve.frame.p25_ms, scale * curve.frame.p75_ms};
+            point.rmse = roots[i];
+            point.rmse_interval = root_mean_interval(squares, i, task_.seed);
+            point.own_rmse = std::sqrt(squares.front()[i]);
+            for (const SetErrors& set : all) point.flip += set.flips[i] / double(all.size());
+            curve.points.push_back(point);
+        }
+        curve.fit = fit_power_over_sets(samples, squares, task_.seed);
+    }
+
+    static void mark_front(ImageReport& report) {
+        std::vector<TimeAndError> all;
+        for (const ImageCurve& curve : report.curves)
+            for (const ImagePoint& point : curve.points) all.push_back({point.seconds, point.rmse});
+        const std::vector<bool> front = pareto_front(all);
+        std::size_t i = 0;
+        for (ImageCurve& curve : report.curves)
+            for (ImagePoint& point : curve.points) point.on_front = front[i++];
+    }
+
+    [[nodiscard]] int all_frames() const {
+        int frames = 0;
+        for (const Sampler sampler : samplers)
+            frames += frames_of_set(sampler, task_.plan.most_samples) *
+                      (int(task_.methods.size()) + (sampler == Sampler::regular ? 0 : task_.plan.sets - 1));
+        return frames;
+    }
+
+    const ImageTask& task_;
+    const std::function<void(float, const std::string&)>& progress_;
+    std::stop_token stop_;
+    PinholeCamera camera_;
+    Image<Vec4> colour_;
+    int traced_ = 0;
+    const Image<glm::dvec3>* reference_ = nullptr;
+    const Flip* flip_ = nullptr;
+};
+
+double predicted_seconds(const ImagePlan& plan, const std::vector<double>& method_ms, double reference_ms,
+                         int probe_pixels) {
+    double ms = plan.reference_samples * reference_ms;
+    for (const Sampler sampler : samplers) {
+        const int frames = frames_of_set(sampler, plan.most_samples);
+        for (const double each : method_ms) ms += frames * each;
+        if (sampler != Sampler::regular && !method_ms.empty()) ms += (plan.sets - 1) * frames * method_ms.front();
+    }
+    return 1e-3 * ms * plan.width * plan.height / probe_pixels;
+}
+
+}  // namespace
+
+ImagePlan plan_images(double seconds, const std::vector<double>& method_ms, double reference_ms, int probe_pixels) {
+    struct Choice {
+        int side, samples, reference, sets;
+    };
+    // From the best to the cheapest; what is measured has at most an eighth of the reference's samples.
+    constexpr Choice choices[] = {{192, 256, 2048, 8}, {128, 256, 2048, 8}, {128, 128, 1024, 8}, {128, 64, 1024, 8},
+                                  {128, 64, 512, 8},   {96, 64, 512, 8},    {64, 64, 512, 8},    {64, 32, 256, 8},
+                                  {48, 16, 256, 6},    {32, 16, 128, 6},    {24, 8, 64, 4}};
+    ImagePlan plan;
+    for (const Choice& choice : choices) {
+        plan = {choice.side, choice.side, choice.samples, choice.reference, choice.sets, 0};
+        plan.predicted_seconds = predicted_seconds(plan, method_ms, reference_ms, probe_pixels);
+        if (plan.predicted_seconds <= seconds) break;
+    }
+    return plan;
+}
+
+ReferenceImage reference_image(const ImageTask& task, const std::function<void(float)>& progress,
+                               const std::stop_token& stop) {
+    const auto& [width, height] = std::pair(task.plan.width, task.plan.height);
+    const PinholeCamera camera = pinhole(task.scene.camera, width, height);
+    const SceneNeeds needs = scene_needs(task.scene, task.config);
+    const int per_half = std::max(1, task.plan.reference_samples / 2);
+    std::array halves{SampleMean(width, height), SampleMean(width, height)};
+    for (std::size_t half = 0; half < halves.size(); ++half) {
+        const auto offsets = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            if (stop.stop_requested()) return {};
+            halves[half].add(double_frame(task.scene, shifted(camera, offsets[i], width, height), width, height,
+                                          needs.bounces, task.config.least_contribution, task.threads, stop,
+                                          &task.boxes));
+            if (progress) progress(float(half * offsets.size() + i + 1) / float(2 * offsets.size()));
+        }
+    }
+    SampleMean both(width, height);
+    for (const SampleMean& half : halves) both.add(half.mean());
+    return {both.mean(), 0.5 * std::sqrt(mean_square_error(halves[0].mean(), halves[1].mean()))};
+}
+
+ImageReport report_images(const ImageTask& task, const std::function<void(float, const std::string&)>& progress,
+                          std::stop_token stop) {
+    ImageReport report;
+    report.plan = task.plan;
+    try {
+        ImageRun(task, progress, std::move(stop)).measure(report);
+        report.complete = true;
+    } catch (const ImageRun::Stopped&) {
+        report.complete = false;
+    }
+    return report;
+}
+
+}  // namespace kd

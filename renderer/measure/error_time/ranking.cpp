@@ -1,0 +1,39 @@
+#include "renderer/measure/error_time/ranking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kd {
+
+namespace {
+
+bool dominates(const TimeAndError& a, const TimeAndError& b) {
+    return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+}
+
+int sign_of(double v) { return (v > 0) - (v < 0); }
+
+}  // namespace
+
+std::vector<bool> pareto_front(std::span<const TimeAndError> methods) {
+    std::vector<bool> front;
+    for (const TimeAndError& m : methods)
+        front.push_back(!std::isnan(m.time) && !std::isnan(m.error) &&
+                        std::ranges::none_of(methods, [&](const TimeAndError& other) { return dominates(other, m); }));
+    return front;
+}
+
+double kendall_tau(std::span<const double> x, std::span<const double> y) {
+    const std::size_t n = std::min(x.size(), y.size());
+    double agreeing = 0, untied_x = 0, untied_y = 0;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const int a = sign_of(x[i] - x[k]), b = sign_of(y[i] - y[k]);
+            agreeing += a * b;
+            untied_x += a != 0;
+            untied_y += b != 0;
+        }
+    return untied_x > 0 && untied_y > 0 ? agreeing / std::sqrt(untied_x * untied_y) : 0;
+}
+
+}  // namespace kd

@@ -1,0 +1,78 @@
+// Reports P3 and P4: what the surface area heuristic predicts against what rays pay, and what a better tree costs to build.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/kdtree/build.h"
+#include "renderer/kdtree/stats.h"
+#include "renderer/measure/error_time/fit.h"
+#include "renderer/measure/error_time/walks.h"
+#include "renderer/measure/ray_count.h"
+#include "renderer/measure/timing.h"
+
+namespace kd {
+
+struct TreeTask {
+    const FlatScene& scene;
+    BuildConfig build;  // but for builder and leaf size, which vary
+    TraceConfig trace;  // by the CPU
+    int width = 192, height = 192;
+    std::size_t lines = 200000;
+    double build_seconds = 20, frame_seconds = 20;  // of timing; at least six rounds all the same
+    int threads = 0;
+    unsigned seed = 1;
+};
+
+/// One builder with one size of leaves.
+struct TreeRow {
+    std::string builder;
+    int leaf_size = 0;
+    TreeStats stats;
+    TimeSummary build, frame;  // ms
+    PassedCells lines;         // uniform ones that nothing stops
+    /// t_t * interior visits + t_i * triangle tests per ray, over passes whose rays there are; 0 for others.
+    std::array<double, pass_count> cost_per_ray{};
+    bool cap_hit = false;
+
+    // Against the reference:
+    double sah_ratio = 1, frame_ratio = 1;
+    Interval frame_ratio_interval{1, 1};  // 95 %, of ratios taken round by round
+    /// Frames after which the reference's longer build has paid; none where it never does, or where the interval of
+    /// the ratio holds 1, so that no difference is seen.
+    std::optional<double> break_even_frames;
+    bool on_front = false;  // of build time and frame time
+
+    [[nodiscard]] std::string name() const;  // "paper, leaves of 2"
+    /// Measured over predicted, per uniform line.
+    [[nodiscard]] double line_cost_ratio() const;
+    [[nodiscard]] double line_interior_ratio() const;
+    [[nodiscard]] double line_test_ratio() const;
+};
+
+struct TreeReport {
+    std::vector<TreeRow> rows;
+    std::size_t reference =
+        0;             // row: `exact` with the default leaves where there is such a builder, else the least SAH cost
+    RayCounts rays{};  // of a frame, by pass
+    /// Kendall's tau between the predicted cost and each pass's cost per ray, over the rows; none without rays.
+    std::array<std::optional<double>, pass_count> tau;
+    double frame_tau = 0;  // the same with the time of a frame
+    int width = 0, height = 0;
+    bool complete = false;
+};
+
+/// `progress` gets the fraction done and what runs. Incomplete where stopped.
+[[nodiscard]] TreeReport report_trees(const TreeTask& task,
+                                      const std::function<void(float, const std::string&)>& progress = {},
+                                      std::stop_token stop = {});
+
+/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit: from so many frames on the tree b, slower to build, is
+/// the better choice. None where b's frames are no quicker; 0 where b is no slower to build.
+[[nodiscard]] std::optional<double> break_even(double build_a, double frame_a, double build_b, double frame_b);
+
+}  // namespace kd

@@ -1,0 +1,32 @@
+#include "renderer/measure/measured_on.h"
+
+#include <fmt/format.h>
+
+namespace kd {
+
+std::vector<std::pair<std::string, std::string>> MeasuredOn::facts() const {
+    const std::string gl = renderer.empty() ? "none" : renderer + (software_gl ? " (software, not a GPU)" : "");
+    return {{"date", date},
+            {"cpu", cpu},
+            {"instructions", instructions},
+            {"cpu_threads", fmt::format("{}", threads)},
+            {"load", load < 0 ? "unknown" : fmt::format("{:.2f}", load)},
+            {"renderer", gl},
+            {"driver", driver},
+            {"gl_clock", gl_clock},
+            {"cpu_clock", "steady clock"},
+            {"version", version},
+            {"commit", commit},
+            {"compiler", compiler},
+            {"flags", flags},
+            {"build_type", build_type},
+            {"seed", fmt::format("{}", seed)}};
+}
+
+std::vector<std::string> MeasuredOn::lines() const {
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : facts()) lines.push_back(name + ": " + value);
+    return lines;
+}
+
+}  // namespace kd

@@ -1,0 +1,37 @@
+// Do small nodes pay? The same walk over the same tree with nodes of 16 and of 8 bytes (paper, section 2.3.1).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "renderer/kdtree/tree.h"
+#include "renderer/measure/paper/paper_results.h"
+#include "renderer/scene/scene.h"
+
+namespace kd {
+
+/// The layout of "Physically Based Rendering": no parent, and the kind of node in two bits that the link has to spare.
+struct NarrowNode {
+    union {
+        float split;          // interior: plane position
+        std::uint32_t first;  // leaf: first reference
+    };
+    std::uint32_t packed;  // 2 bits: split axis or KD_LEAF; 30 bits: child above, or number of references
+};
+static_assert(sizeof(NarrowNode) == 8);
+
+/// The tree's nodes in that layout, in the same order. InputError above 2^30 nodes or references in a leaf.
+[[nodiscard]] std::vector<NarrowNode> narrow_nodes(const KdTree& tree);
+
+/// Nearest hits by the stack traversal over either layout, on one thread.
+void trace_wide(const FlatScene& scene, const KdTree& tree, std::span<const Ray> rays, std::span<Hit> hits);
+void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const NarrowNode> nodes,
+                  std::span<const Ray> rays, std::span<Hit> hits);
+
+/// Times both in turn on the primary rays of a picture; InputError where their hits differ in a bit, which cannot be.
+[[nodiscard]] PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera,
+                                           int width, int height, int rounds, const std::stop_token& stop);
+
+}  // namespace kd

@@ -1,0 +1,223 @@
+#include "renderer/measure/paper/paper_claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace kd {
+
+namespace {
+
+using enum PaperMethod;
+
+constexpr std::array<const char*, 3> sizes{"ball:1000", "ball:4000", "ball:9000"};
+constexpr const char* scattered = "scatter:10000";
+constexpr const char* sheet = "sheet:10000";
+
+double logarithm(double n) { return std::log(n); }
+double root(double n) { return std::sqrt(n); }
+double line(double n) { return n; }
+
+std::vector<double> ms_of(const PaperResults& r, std::string_view scene, PaperMethod method) {
+    const PaperScene* found = r.scene(scene);
+    return found ? found->ms(method) : std::vector<double>{};
+}
+
+MedianInterval time_ratio(const PaperResults& r, std::string_view scene, PaperMethod over, PaperMethod under) {
+    return ratio_interval(ms_of(r, scene, over), ms_of(r, scene, under));
+}
+
+/// The geometric mean over `scenes` of a round's ratios; rounds in which one of them is missing are left out.
+template <class Scenes>
+MedianInterval mean_ratio(const PaperResults& r, const Scenes& scenes, PaperMethod over, PaperMethod under) {
+    std::vector<double> product;
+    double count = 0;
+    for (const auto& scene : scenes) {
+        const std::vector<double> a = ms_of(r, scene, over), b = ms_of(r, scene, under);
+        const std::size_t rounds = std::min(a.size(), b.size());
+        if (count == 0) product.assign(rounds, 1.0);
+        product.resize(std::min(product.size(), rounds));
+        for (std::size_t i = 0; i < product.size(); ++i) product[i] *= a[i] > 0 && b[i] > 0 ? a[i] / b[i] : NAN;
+        ++count;
+    }
+    for (double& value : product) value = std::pow(value, 1 / count);
+    return median_interval(std::move(product));
+}
+
+/// (over/under of `first`) / (over/under of `second`), round by round.
+MedianInterval ratio_of_ratios(const PaperResults& r, std::string_view first, std::string_view second, PaperMethod over,
+                               PaperMethod under) {
+    std::vector<double> a = ms_of(r, first, over), b = ms_of(r, first, under);
+    const std::vector<double> c = ms_of(r, second, over), d = ms_of(r, second, under);
+    const std::size_t rounds = std::min(std::min(a.size(), b.size()), std::min(c.size(), d.size()));
+    a.resize(rounds);
+    b.resize(rounds);
+    for (std::size_t i = 0; i < rounds; ++i) {
+        a[i] *= d[i];
+        b[i] *= c[i];
+    }
+    return ratio_interval(a, b);
+}
+
+PaperClaim judged(PaperClaim claim) {
+    const Judged result = judge(claim.value, claim.accepted);
+    claim.verdict = result.verdict;
+    claim.reason = result.reason;
+    return claim;
+}
+
+/// A claim about a GPU against a CPU.
+PaperClaim judged_on_gpu(const PaperResults& r, PaperClaim claim) {
+    claim = judged(std::move(claim));
+    if (!r.has_gpu_times())
+        claim.reason = "no OpenGL here";
+    else if (r.on.software_gl)
+        claim.reason = "the shaders ran on the CPU: nothing is said of a GPU";
+    else
+        return claim;
+    claim.verdict = PaperVerdict::undecided;
+    return claim;
+}
+
+PaperClaim never(std::string id, std::string where, std::string text, std::string why) {
+    return {std::move(id), std::move(where), std::move(text), "–", {}, {}, PaperVerdict::undecided, std::move(why)};
+}
+
+void scene_size(const PaperResults& r, std::vector<PaperClaim>& claims) {
+    // Half way between growing with the logarithm and with the square root.
+    const double edge = (growth_of(r, logarithm) + growth_of(r, root)) / 2;
+    for (const PaperMethod method : {cpurt, cpu_restart, gpurt})
+        claims.push_back(
+            judged({fmt::format("E1a {}", info(method).name),
+                    "4.1, Figure 9",
+                    "Performance falls logarithmically with the number of triangles.",
+                    fmt::format("growth of the time from 4K to 9K triangles over its growth from 1K to 4K: "
+                                "{:.2f} for a logarithm, {:.2f} for a square root, {:.2f} for a line",
+                                growth_of(r, logarithm), growth_of(r, root), growth_of(r, line)),
+                    growth(r, method),
+                    {0, edge}}));
+    claims.push_back(judged({"E1b", "4.1", "CPU Kd-restart is only 15 % behind CPURT.",
+                             "time of CPU Kd-restart over CPURT, geometric mean of the three sizes",
+                             mean_ratio(r, sizes, cpu_restart, cpurt), about_more(0.15)}));
+    claims.push_back(judged_on_gpu(r, {"E1c",
+                                       "4.1",
+                                       "GPURT is an order of magnitude behind CPURT.",
+                                       "time of GPURT over CPURT, geometric mean of the three sizes",
+                                       mean_ratio(r, sizes, gpurt, cpurt),
+                                       {std::sqrt(10.0), 10 * std::sqrt(10.0)}}));
+}
+
+void occluded(const PaperResults& r, std::vector<PaperClaim>& claims) {
+    claims.push_back(
+        judged({"E2a", "4.2, Figure 11", "GPURT is 2x faster on the rooms than on the ball of 9K triangles.",
+                "time of GPURT on ball:9000 over its time on rooms",
+                ratio_interval(ms_of(r, "ball:9000", gpurt), ms_of(r, "rooms", gpurt)), about(2)}));
+    claims.push_back(judged_on_gpu(r, {"E2b", "4.2", "GPURT is on par with the others there, 13 % slower than CPURT.",
+                                       "time of GPURT over CPURT on rooms", time_ratio(r, "rooms", gpurt, cpurt),
+                                       about_more(0.13)}));
+    claims.push_back(judged_on_gpu(r, {"E2c",
+                                       "Figure 11",
+                                       "The GPU does very well as long as few triangles are on the screen.",
+                                       "GPURT over CPURT on ball:9000, over the same on rooms",
+                                       ratio_of_ratios(r, "ball:9000", "rooms", gpurt, cpurt),
+                                       {1, std::numeric_limits<double>::infinity()}}));
+}
+
+void diverging(const PaperResults& r, std::vector<PaperClaim>& claims) {
+    for (const char* name : {scattered, sheet}) {
+        const PaperScene* scene = r.scene(name);
+        const std::string reading = name == std::string_view(scattered) ? "scatter" : "sheet";
+        claims.push_back(judged({"E3a " + reading,
+                                 "4.3, Figure 13",
+                                 "The modified traversal accesses 5x (text) or nearly 4x (caption) the nodes required.",
+                                 fmt::format("interior nodes of kd-restart over those of the stack, over {} made from "
+                                             "other seeds",
+                                             name),
+                                 scene ? median_interval(scene->seed_node_ratios) : MedianInterval{},
+                                 {3.5, 5.5}}));
+    }
+    for (const char* name : {scattered, sheet}) {
+        const std::string reading = name == std::string_view(scattered) ? "scatter" : "sheet";
+        claims.push_back(judged({"E3b " + reading, "4.3, Figure 14", "CPU Kd-restart is about 8x slower than CPURT.",
+                                 fmt::format("time of CPU Kd-restart over CPURT on {}", name),
+                                 time_ratio(r, name, cpu_restart, cpurt), about(8)}));
+        claims.push_back(judged_on_gpu(r, {"E3c " + reading, "4.3", "GPURT is 2x slower than its CPU counterpart.",
+                                           fmt::format("time of GPURT over CPU Kd-restart on {}", name),
+                                           time_ratio(r, name, gpurt, cpu_restart), about(2)}));
+    }
+}
+
+void overall(const PaperResults& r, std::vector<PaperClaim>& claims) {
+    std::vector<std::string_view> all;
+    for (const PaperScene& scene : r.scenes) all.push_back(scene.name);
+    claims.push_back(judged_on_gpu(r, {"E4", "abstract", "GPURT is almost always slower than the CPU, typically 2x.",
+                                       "time of GPURT over CPURT, geometric mean of all scenes",
+                                       mean_ratio(r, all, gpurt, cpurt), about(2)}));
+    MedianInterval share;
+    for (const PaperBudget& row : r.budgets)
+        if (row.scene == "ball:2000" && row.budget == 255 && row.pixels > 0)
+            share = exactly(double(row.unfinished) / double(row.pixels));
+    claims.push_back(judged({"E5a",
+                             "5",
+                             "The traversal loop persistently reached its ceiling at 2K triangles.",
+                             "share of the pixels of ball:2000 that kd-restart gives up after 255 steps",
+                             share,
+                             {0.01, 1}}));
+    claims.push_back(never("E5b", "5", "Branches cost more than small shaders and their load balancing would.",
+                           "there is no tracer of many small shaders here to hold against the four passes"));
+    claims.push_back(
+        never("E5c", "5", "A day of development on the CPU takes a week on the GPU.", "a program cannot measure that"));
+}
+
+void background(const PaperResults& r, std::vector<PaperClaim>& claims) {
+    const PaperScene* ball = r.scene("ball:9000");
+    claims.push_back(judged({"B1a",
+                             "2.3.1",
+                             "Traversal often takes 60 % of the time.",
+                             "share of CPURT's time on ball:9000 that visits of nodes take (cost of a visit: from "
+                             "kd-restart, which makes more of them)",
+                             ball ? median_interval(traversal_shares(*ball, false)) : MedianInterval{},
+                             {0.5, 0.7}}));
+    for (const PaperNodeSizes& sizes_of : r.node_sizes)
+        claims.push_back(judged(
+            {"B1b " + sizes_of.scene, "2.3.1", "Nodes of 8 bytes instead of 16 gain 20 %.",
+             fmt::format("time of the stack traversal of {} with nodes of 16 bytes over 8 bytes", sizes_of.scene),
+             ratio_interval(sizes_of.wide.ms(), sizes_of.narrow.ms()), about_more(0.2)}));
+    claims.push_back(judged({"B1c",
+                             "2.2",
+                             "A 1024x1024 picture with 3 rays a pixel and 1 million triangles takes 3.1 "
+                             "trillion tests.",
+                             "1024 x 1024 x 3 rays times 1 million, in 10^12 (its own four passes cast 4 rays a pixel)",
+                             exactly(1024.0 * 1024.0 * 3.0 * 1e6 / 1e12),
+                             {3.05, 3.15}}));
+}
+
+}  // namespace
+
+MedianInterval growth(const PaperResults& results, PaperMethod method) {
+    std::array<std::vector<double>, 3> ms;
+    for (std::size_t i = 0; i < ms.size(); ++i) ms[i] = ms_of(results, sizes[i], method);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < std::min({ms[0].size(), ms[1].size(), ms[2].size()}); ++i)
+        if (const double first = ms[1][i] - ms[0][i]; first != 0) values.push_back((ms[2][i] - ms[1][i]) / first);
+    return median_interval(std::move(values));
+}
+
+double growth_of(const PaperResults& results, double (*f)(double)) {
+    std::array<double, 3> n{1000, 4000, 9000};
+    for (std::size_t i = 0; i < n.size(); ++i)
+        if (const PaperScene* scene = results.scene(sizes[i])) n[i] = double(scene->triangles);
+    return (f(n[2]) - f(n[1])) / (f(n[1]) - f(n[0]));
+}
+
+std::vector<PaperClaim> judge_claims(const PaperResults& results) {
+    std::vector<PaperClaim> claims;
+    background(results, claims);
+    scene_size(results, claims);
+    occluded(results, claims);
+    diverging(results, claims);
+    overall(results, claims);
+    return claims;
+}
+
+}  // namespace kd

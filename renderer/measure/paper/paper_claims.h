@@ -1,0 +1,33 @@
+// The paper's claims, each with the number that decides it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/measure/paper/paper_results.h"
+#include "renderer/measure/paper/paper_verdict.h"
+
+namespace kd {
+
+struct PaperClaim {
+    std::string id;       // "E1b", "E3a scatter"
+    std::string where;    // section or figure of the paper
+    std::string claim;    // what it says
+    std::string measure;  // what our number is
+    MedianInterval value;
+    Accepted accepted;
+    PaperVerdict verdict = PaperVerdict::undecided;
+    std::string reason = {};
+};
+
+/// All claims in the paper's order, judged by what was measured so far. What only a GPU can decide is undecided where the
+/// shaders ran on the CPU, with the number told all the same.
+[[nodiscard]] std::vector<PaperClaim> judge_claims(const PaperResults& results);
+
+/// Of 4.1: how much the time grows from the middle size to the largest, over how much it grows from the smallest to the
+/// middle one, round by round.
+[[nodiscard]] MedianInterval growth(const PaperResults& results, PaperMethod method);
+/// The same if the time grew with `f` of the number of triangles.
+[[nodiscard]] double growth_of(const PaperResults& results, double (*f)(double));
+
+}  // namespace kd

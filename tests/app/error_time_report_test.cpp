@@ -1,0 +1,195 @@
+// The reports of error against run time, on scenes small enough for a test: what has to come out whatever the machine.
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/kdtree/build.h"
+#include "renderer/measure/double_path.h"
+#include "renderer/measure/error_time/hit_report.h"
+#include "renderer/measure/error_time/image_error.h"
+#include "renderer/measure/error_time/image_report.h"
+#include "renderer/measure/error_time/lines.h"
+#include "renderer/measure/error_time/tree_report.h"
+#include "renderer/measure/ray_machine.h"
+#include "renderer/scene/procedural.h"
+
+namespace kd {
+namespace {
+
+FlatScene scene_of(std::string_view name) { return flatten(*make_procedural(name)); }
+
+/// A method of the CPU; its clock stands still, so that nothing depends on the machine.
+ImageMethod cpu_method(const FlatScene& scene, const KdTree& tree, Traversal traversal, int side) {
+    const auto tracer = std::make_shared<CpuTracer>(scene, tree);
+    return {"cpu", std::string(info(traversal).name), "none", [=](const PinholeCamera& camera, Image<Vec4>& colour) {
+                TraceConfig config;
+                config.traversal = traversal;
+                config.counters = false;
+                Frame frame(side, side);
+                tracer->trace_frame(config, camera, frame, 0);
+                colour = frame.colour;
+                return 1.0;
+            }};
+}
+
+struct Images {
+    FlatScene scene = scene_of("ball:300");
+    KdTree tree = build_tree(scene.triangles, {});
+    TriangleBoxes boxes{scene.triangles};
+    ImageTask task{scene, boxes, {}, {24, 24, 16, 128, 6, 0}, {}, 0, 1, 0};
+    Images() {
+        for (const Traversal t : {Traversal::stack, Traversal::restart, Traversal::backtrack})
+            task.methods.push_back(cpu_method(scene, tree, t, task.plan.width));
+    }
+};
+
+TEST(ImageReportTest, TraversalsDifferInTimeAlone) {
+    Images images;
+    const ImageReport report = report_images(images.task);
+    ASSERT_TRUE(report.complete);
+    ASSERT_EQ(report.curves.size(), 9u);
+    for (const ImageCurve& curve : report.curves) {
+        EXPECT_LE(curve.worst_gap, 1e-7) << name_of(curve.sampler) << ' ' << curve.traversal;
+        ASSERT_EQ(curve.points.size(), 5u);
+        EXPECT_EQ(curve.points.back().samples, 16);
+        EXPECT_NEAR(curve.points.back().seconds, 0.016, 1e-12);
+        for (const ImagePoint& point : curve.points) {
+            EXPECT_GT(point.rmse, 0);
+            EXPECT_LE(point.rmse_interval.low, point.rmse);
+            EXPECT_GE(point.rmse_interval.high, point.rmse);
+            EXPECT_GT(point.flip, 0);
+        }
+    }
+}
+
+TEST(ImageReportTest, IndependentSamplesConvergeByTheRootAndStratifiedOnesFaster) {
+    Images images;
+    images.task.methods.resize(1);
+    images.task.plan.sets = 12;
+    const ImageReport report = report_images(images.task);
+    double slopes[3] = {};
+    for (const ImageCurve& curve : report.curves) slopes[std::size_t(curve.sampler)] = curve.fit.slope;
+    EXPECT_NEAR(slopes[std::size_t(Sampler::independent)], -0.5, 0.1);
+    EXPECT_LT(slopes[std::size_t(Sampler::stratified)], slopes[std::size_t(Sampler::independent)] - 0.1);
+    EXPECT_LT(report.reference_rmse, 0.3 * report.curves.back().points.back().rmse);
+}
+
+TEST(ImageReportTest, ReferenceOfOneSampleIsTheFrame) {
+    // The middle of the pixel, in double and in single precision: but for pixels at edges the same colours.
+    Images images;
+    const PinholeCamera camera = pinhole(images.scene.camera, 24, 24);
+    SampleMean single(24, 24);
+    Image<Vec4> colour;
+    images.task.methods[0].trace(camera, colour);
+    single.add(colour);
+    const Image<glm::dvec3> wide = double_frame(images.scene, camera, 24, 24, 1, 0.004f, 0, {}, &images.boxes);
+    EXPECT_LT(std::sqrt(mean_square_error(single.mean(), wide)), 1e-4);
+    const Image<glm::dvec3> slow = double_frame(images.scene, camera, 24, 24, 1, 0.004f);
+    EXPECT_EQ(wide.pixels, slow.pixels);
+}
+
+TEST(ImageReportTest, ShiftedCameraSeesTheNextPixel) {
+    Images images;
+    const PinholeCamera camera = pinhole(images.scene.camera, 24, 24);
+    Image<Vec4> here, there;
+    images.task.methods[0].trace(camera, here);
+    images.task.methods[0].trace(shifted(camera, {1, 2}, 24, 24), there);
+    int differing = 0;
+    for (int y = 0; y < 22; ++y)
+        for (int x = 0; x < 23; ++x)
+            differing += glm::any(glm::greaterThan(glm::abs(there.at(x, y) - here.at(x + 1, y + 2)), Vec4(1e-3f)));
+    EXPECT_LE(differing, 3);  // an edge may run through a pixel's very middle
+}
+
+TEST(ImageReportTest, StopsWhereAsked) {
+    Images images;
+    std::stop_source stop;
+    const auto progress = [&](float done, const std::string&) {
+        if (done > 0.5f) stop.request_stop();
+    };
+    EXPECT_FALSE(report_images(images.task, progress, stop.get_token()).complete);
+}
+
+TEST(HitReportTest, RobustWatertightLosesNothingAndTheOthersDo) {
+    HitTask task;
+    task.rays = 500;
+    task.seconds_per_family = 0;
+    const HitReport report = report_hits(task);
+    ASSERT_TRUE(report.complete);
+    ASSERT_EQ(report.rows.size(), hit_families().size() * 24);
+    std::int64_t plain_misses_edges = 0, published_wrong = 0;
+    for (const HitRow& row : report.rows) {
+        const std::string name = row.family + ": " + row.method.family_name();
+        const bool robust = row.method.rules == Rules::robust;
+        if (robust && row.method.test == TriangleTest::woop) {
+            EXPECT_EQ(row.missed + row.wrong, 0) << name;
+        }
+        if (row.family == "T14") {
+            EXPECT_LE(row.per_million(), 2000) << name;
+        }
+        if (row.family == "T15" && robust && row.method.test == TriangleTest::moeller_trumbore && !row.method.in_double)
+            plain_misses_edges += row.missed;
+        if (row.family == "T10" && !robust) published_wrong += row.missed + row.wrong;
+        if (row.method.in_double && row.family == "T14") {
+            EXPECT_LT(row.ulp_most, 1) << name;
+        }
+        EXPECT_LE(row.ulp_p50, row.ulp_p999) << name;
+        EXPECT_GT(row.upper95, 0) << name;
+        EXPECT_GE(row.rounds, 3);
+    }
+    EXPECT_GT(plain_misses_edges, 0);
+    EXPECT_GT(published_wrong, 0);
+}
+
+TEST(HitReportTest, WalksAnswerAsTheTracersDo) {
+    const FlatScene scene = scene_of("ball:300");
+    const KdTree tree = build_tree(scene.triangles, {});
+    Random random(4);
+    const std::vector<Ray> rays = uniform_lines(scene.bounds, 500, random);
+    const WalkScene walks(scene, tree);
+    CpuTracer tracer(scene, tree);
+    for (const Rules rules : {Rules::robust, Rules::as_published}) {
+        TraceConfig config;
+        config.rules = rules;
+        std::vector<Hit> expected(rays.size());
+        tracer.trace_rays(config, rays, false, expected, {});
+        std::vector<HitAnswer> found(rays.size());
+        walk_rays(walks, {TriangleTest::woop, false, rules, Traversal::stack}, rays, found);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            EXPECT_EQ(found[i].triangle, expected[i].triangle);
+            EXPECT_EQ(found[i].t, double(expected[i].t));
+        }
+    }
+}
+
+TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
+    for (const char* name : {"ball:2000", "scatter:2000", "cornell"}) {
+        const FlatScene scene = scene_of(name);
+        TreeTask task{.scene = scene,
+                      .build = {},
+                      .trace = {},
+                      .width = 32,
+                      .height = 32,
+                      .lines = 40000,
+                      .build_seconds = 0,
+                      .frame_seconds = 0};
+        const TreeReport report = report_trees(task);
+        ASSERT_TRUE(report.complete);
+        ASSERT_GE(report.rows.size(), 6u);
+        for (const TreeRow& row : report.rows) {
+            EXPECT_NEAR(row.line_cost_ratio(), 1, 0.05) << name << ' ' << row.name();
+            EXPECT_NEAR(row.line_interior_ratio(), 1, 0.05) << name << ' ' << row.name();
+            EXPECT_NEAR(row.line_test_ratio(), 1, 0.05) << name << ' ' << row.name();
+            EXPECT_LT(row.cost_per_ray[0], 3 * row.stats.sah_cost) << name << ' ' << row.name();
+            EXPECT_GT(row.frame_ratio, 0);
+            EXPECT_GE(row.build.samples, 6);
+        }
+        EXPECT_EQ(report.rows[report.reference].sah_ratio, 1);
+        ASSERT_TRUE(report.tau[0].has_value());
+        EXPECT_LE(std::abs(*report.tau[0]), 1);
+    }
+}
+
+}  // namespace
+}  // namespace kd

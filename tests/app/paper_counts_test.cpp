@@ -1,0 +1,76 @@
+// What the paper's experiments count, without any clock: the sources of some of its contradictions.
+#include "app/paper/paper_counts.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/scene/procedural.h"
+
+namespace kd {
+namespace {
+
+PaperConfig small() {
+    PaperConfig config = paper_config(true);
+    config.base.width = config.base.height = 64;
+    return config;
+}
+
+PaperScene counted(const std::string& name) {
+    const PaperConfig config = small();
+    const std::unique_ptr<PaperWorld> world = open_world(config, name, 1, {});
+    return count_scene(config, name, *world, {});
+}
+
+TEST(PaperCounts, BothReadingsOfTheDivergingScene) {
+    for (const char* name : {"scatter:10000", "sheet:10000"}) {
+        const PaperScene scene = counted(name);
+        EXPECT_GT(scene.node_ratio(Traversal::restart), 2) << name;
+        EXPECT_LT(scene.node_ratio(Traversal::restart), 8) << name;
+        EXPECT_DOUBLE_EQ(scene.node_ratio(Traversal::stack), 1);
+        const PaperConfig config = small();
+        const double same = seed_node_ratio(config, name, 1, {}), other = seed_node_ratio(config, name, 2, {});
+        EXPECT_DOUBLE_EQ(same, scene.node_ratio(Traversal::restart));
+        EXPECT_NE(other, same) << "another seed makes another scene";
+    }
+}
+
+TEST(PaperCounts, RestartCostIsNoDivergence) {
+    // Were they one matter, the scene that pays more for restarts would keep its lanes less busy.
+    const PaperScene scatter = counted("scatter:10000"), ball = counted("ball:9000");
+    const auto efficiency = [](const PaperScene& scene) {
+        return scene.counts_of(Traversal::restart)->step_efficiency;
+    };
+    EXPECT_GT(scatter.node_ratio(Traversal::restart), 1.3 * ball.node_ratio(Traversal::restart));
+    EXPECT_GT(efficiency(scatter), 0.9 * efficiency(ball)) << "and yet its lanes are as busy";
+    // All of the restart's extra work is visits: triangles tested and leaves are the stack's.
+    for (const PaperScene* scene : {&scatter, &ball}) {
+        const PaperCounts& stack = *scene->counts_of(Traversal::stack);
+        const PaperCounts& restart = *scene->counts_of(Traversal::restart);
+        EXPECT_EQ(stack.all.triangle_tests, restart.all.triangle_tests);
+        EXPECT_EQ(stack.all.leaves, restart.all.leaves);
+        EXPECT_EQ(stack.all.interior_first, restart.all.interior_first);
+    }
+}
+
+TEST(PaperCounts, ALowerCeilingGivesUpMorePixels) {
+    const PaperConfig config = small();
+    const std::unique_ptr<PaperWorld> world = open_world(config, "scatter:2000", 1, {});
+    std::int64_t before = 64 * 64 + 1;
+    for (const int budget : {32, 128, 255, 1024}) {
+        PaperPicture picture;
+        const PaperBudget row = limited_loop(config, "scatter:2000", *world, budget, &picture, {});
+        EXPECT_LT(row.unfinished, before) << budget;
+        EXPECT_EQ(row.pixels, 64 * 64);
+        ASSERT_NE(picture.image, nullptr);
+        EXPECT_EQ(picture.image->width, 64);
+        EXPECT_NE(picture.caption.find(std::to_string(row.unfinished)), std::string::npos) << picture.caption;
+        before = row.unfinished;
+    }
+    EXPECT_EQ(limited_loop(config, "scatter:2000", *world, 1 << 20, nullptr, {}).unfinished, 0);
+}
+
+TEST(PaperCounts, EveryScenesNameIsOneTheProgramKnows) {
+    for (const PaperSceneInfo& scene : paper_scenes()) EXPECT_NE(find_procedural(scene.name), nullptr) << scene.name;
+}
+
+}  // namespace
+}  // namespace kd

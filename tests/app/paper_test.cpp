@@ -1,0 +1,139 @@
+// kdscope paper: the page, its tables and figures, and a whole small run.
+#include <fstream>
+#include <gtest/gtest.h>
+#include <regex>
+#include <set>
+
+#include "app/chart_files.h"
+#include "app/paper/paper_page.h"
+#include "renderer/io/file.h"
+#include "tests/app/cli_run.h"
+#include "tests/support/paper_samples.h"
+#include "viz/chart_csv.h"
+
+namespace kd {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_kdscope;
+using test::TestFolder;
+
+std::set<std::string> numbers_in(const std::string& text) {
+    static const std::regex number("[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?");
+    std::set<std::string> numbers;
+    for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i) numbers.insert(i->str());
+    return numbers;
+}
+
+/// What a reader sees: without style and tags.
+std::string visible(const std::string& html) {
+    const std::string body = html.substr(html.find("<body>"));
+    return std::regex_replace(body, std::regex("<[^>]*>"), " ");
+}
+
+/// Fails the test for every number that a reader of the folder's page sees and no table holds.
+void expect_numbers_in_tables(const fs::path& folder) {
+    std::set<std::string> known;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".csv") known.merge(numbers_in(read_file(entry.path())));
+    std::string page = visible(read_file(folder / "index.html"));
+    for (const std::string& number : numbers_in(page)) EXPECT_TRUE(known.contains(number)) << number;
+}
+
+void expect_links_to_exist(const fs::path& folder) {
+    const std::string page = read_file(folder / "index.html");
+    static const std::regex link("(?:href|src)=\"([^\"]*)\"");
+    int links = 0;
+    for (std::sregex_iterator i(page.begin(), page.end(), link), end; i != end; ++i, ++links)
+        EXPECT_TRUE(fs::exists(folder / i->str(1))) << i->str(1);
+    EXPECT_GT(links, 10);
+}
+
+TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
+    const TestFolder folder;
+    const test::Outcome outcome =
+        run_kdscope({"paper", "-o", folder.file("out"), "--quick", "--size", "24x16", "--seconds", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const fs::path out = folder.file("out");
+    for (const char* claim : {"E1a CPURT", "E1b", "E2a", "E3a scatter", "E3b sheet", "B1a", "B1b ball:9000"})
+        EXPECT_NE(outcome.out.find(claim), std::string::npos) << outcome.out;
+    for (const char* file : {"index.html", "verdicts.csv", "times.csv", "counts.csv", "loop-budgets.csv", "run.csv",
+                             "results.json", "figure-9.csv", "figure-13.csv", "budget-ball-2000-255.png"})
+        EXPECT_TRUE(fs::exists(out / file)) << file;
+    EXPECT_EQ(fs::exists(out / "figure-9.svg"), can_draw_charts());
+    for (const auto& entry : fs::directory_iterator(out))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+    expect_numbers_in_tables(out);
+    expect_links_to_exist(out);
+    const std::string times = read_file(out / "times.csv");
+    for (const char* part :
+         {"# commit: ", "# cpu: ", "# flags: ", "# seed: 1", "ball:1000,CPURT,", "ball:1000,CPU naive,"})
+        EXPECT_NE(times.find(part), std::string::npos) << part;
+    const Json json = Json::parse(read_file(out / "results.json"));
+    EXPECT_EQ(json["complete"], true);
+    EXPECT_GE(json["rounds"], 6);
+    EXPECT_EQ(json["scenes"].size(), 6u);
+}
+
+TEST(Paper, SyntheticResultsGiveAPageToo) {
+    const TestFolder folder;
+    const PaperResults results = test::paper_results(test::papers_own_ms(), 0.02);
+    std::vector<std::string> told;
+    write_paper(folder.folder(), results, [&](const std::string& name) { told.push_back(name); }, {});
+    EXPECT_EQ(told.back(), "index.html") << "last, so that a page has all its parts";
+    expect_numbers_in_tables(folder.folder());
+    expect_links_to_exist(folder.folder());
+    EXPECT_NE(read_file(folder.file("index.html")).find("class=\"verdict not-reproduced\""), std::string::npos);
+}
+
+TEST(Paper, AnInterruptWritesNothing) {
+    const TestFolder folder;
+    std::stop_source stop;
+    stop.request_stop();
+    const test::Outcome outcome =
+        run_kdscope({"paper", "-o", folder.file("out"), "--quick", "--size", "16x16"}, stop.get_token());
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(fs::is_empty(folder.file("out")));
+}
+
+TEST(Paper, WhatCannotBeIsRefusedInOneLine) {
+    const TestFolder folder;
+    std::ofstream(folder.file("file")) << "x";
+    test::expect_usage_error(run_kdscope({"paper"}), {"--output"});
+    test::expect_usage_error(run_kdscope({"paper", "-o", folder.file("file")}), {"--output", "folder"});
+    test::expect_usage_error(run_kdscope({"paper", "-o", folder.file("o"), "--tracer", "gl-fragment"}), {"--tracer"});
+    test::expect_usage_error(run_kdscope({"paper", "-o", folder.file("o"), "--traversal", "stack"}), {"--traversal"});
+    test::expect_usage_error(run_kdscope({"paper", "-o", folder.file("o"), "--seconds", "0"}), {"--seconds"});
+}
+
+TEST(PaperFigures, AreDrawnAsSoonAsThereIsSomethingToShow) {
+    EXPECT_TRUE(paper_figures({}).empty());
+    PaperResults results = test::paper_results(test::papers_own_ms(), 0.02);
+    const auto names = [&] {
+        std::set<std::string> set;
+        for (const PaperFigure& figure : paper_figures(results)) set.insert(figure.name);
+        return set;
+    };
+    EXPECT_EQ(names(), (std::set<std::string>{"figure-9", "figure-11", "figure-12-14", "figure-13", "restart-cost",
+                                              "divergence", "traversal-share", "loop-ceiling", "passes"}));
+    for (PaperScene& scene : results.scenes) scene.times.clear();
+    results.rounds = 0;
+    EXPECT_EQ(names(), (std::set<std::string>{"figure-13", "restart-cost", "divergence", "loop-ceiling"}));
+}
+
+TEST(PaperFigures, PutThePapersClaimsBesideOurs) {
+    const PaperResults results = test::paper_results(test::papers_own_ms(), 0.02);
+    for (const PaperFigure& figure : paper_figures(results)) {
+        for (const std::string& scene : figure.scenes) EXPECT_NE(results.scene(scene), nullptr) << figure.name;
+        EXPECT_LT(figure.chart.y.low, figure.chart.y.high) << figure.name;
+        if (figure.name != "figure-12-14") continue;
+        const auto& claims = figure.chart.curves.back();
+        EXPECT_EQ(claims.name, "the paper's claim");
+        ASSERT_EQ(claims.points.size(), 4u);
+        EXPECT_NEAR(claims.points[0].y, 8 * 200, 40) << "8x CPURT";
+        EXPECT_NEAR(claims.points[1].y, 16 * 200, 80) << "16x CPURT";
+    }
+}
+
+}  // namespace
+}  // namespace kd

@@ -1,0 +1,137 @@
+// renderer/measure: the timing service, and comparisons that know what they do not know.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "renderer/measure/measured_on.h"
+#include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
+
+namespace kd {
+namespace {
+
+TEST(Timing, QuartilesLieBetweenSamples) {
+    const TimeSummary four = summarise({4, 1, 3, 2});
+    EXPECT_EQ(four.median_ms, 2.5);
+    EXPECT_EQ(four.p25_ms, 1.75);
+    EXPECT_EQ(four.p75_ms, 3.25);
+    EXPECT_EQ(four.samples, 4);
+    EXPECT_EQ(summarise({7}).p75_ms, 7);
+    EXPECT_EQ(summarise({}).samples, 0);
+}
+
+TEST(Timing, ContestantsTakeTurnsForwardAndBackward) {
+    std::string order;
+    const std::vector<Contestant> two{{"a", [&] { return order += 'a', TimeSample{1.0}; }},
+                                      {"b", [&] { return order += 'b', TimeSample{2.0}; }}};
+    std::vector<int> told;
+    const auto times =
+        time_in_turn(two, {.warmup = 2, .rounds = 3}, [&](int rounds, std::span<const TimedRounds> so_far) {
+            told.push_back(rounds);
+            EXPECT_EQ(int(so_far[1].rounds.size()), rounds);
+        });
+    EXPECT_EQ(order, "aabb"
+                     "abbaab");
+    EXPECT_EQ(told, (std::vector<int>{1, 2, 3}));
+    ASSERT_EQ(times.size(), 2u);
+    EXPECT_EQ(times[0].name, "a");
+    EXPECT_EQ(times[0].total().median_ms, 1.0);
+    EXPECT_EQ(times[1].total().samples, 3);
+}
+
+TEST(Timing, ABudgetEndsTheRoundsButNotBeforeTheLeast) {
+    const std::vector<Contestant> one{{"a", [] { return TimeSample{1.0}; }}};
+    const TimingPlan plan{.warmup = 0, .rounds = 100, .budget_s = 1e-9, .least_rounds = 6};
+    EXPECT_EQ(time_in_turn(one, plan)[0].rounds.size(), 6u);
+    EXPECT_EQ(time_in_turn(one, {.warmup = 0, .rounds = 4, .budget_s = 1e-9})[0].rounds.size(), 4u);
+}
+
+TEST(Timing, ClocksAreHeldAgainstEachOther) {
+    TimedRounds rounds;
+    EXPECT_EQ(rounds.clock_discrepancy(), 0);
+    rounds.rounds = {{10, 11, {}}, {10, 12, {}}, {10, 13, {}}, {10, -1, {}}};
+    EXPECT_NEAR(rounds.clock_discrepancy(), 0.2, 1e-12);
+    EXPECT_EQ(rounds.pass(0).samples, 4);
+}
+
+TEST(MedianInterval, IsTheSignTestsWithItsConfidence) {
+    std::vector<double> values;
+    for (int i = 15; i >= 1; --i) values.push_back(i);
+    const MedianInterval fifteen = median_interval(values);
+    EXPECT_EQ(fifteen.median, 8);
+    EXPECT_EQ(fifteen.low, 4);  // tables of the sign test: n = 15, k = 4, 96.5 %
+    EXPECT_EQ(fifteen.high, 12);
+    EXPECT_NEAR(fifteen.confidence, 0.9648, 1e-4);
+    const MedianInterval six = median_interval({6, 1, 5, 2, 4, 3});
+    EXPECT_EQ(six.low, 1);
+    EXPECT_EQ(six.high, 6);
+    EXPECT_NEAR(six.confidence, 0.96875, 1e-9);
+    EXPECT_TRUE(six.sure());
+    const MedianInterval five = median_interval({1, 2, 3, 4, 5});
+    EXPECT_FALSE(five.sure());
+    EXPECT_EQ(five.high, 5);
+    EXPECT_EQ(median_interval({}).samples, 0);
+    EXPECT_EQ(median_interval({NAN, 2, INFINITY}).samples, 1);
+    EXPECT_GE(median_interval(std::vector<double>(5000, 1.0)).confidence, 0.95);
+}
+
+/// Share of `trials` in which the interval of n draws holds the true median.
+template <class Draw>
+double coverage(int n, double truth, Draw draw) {
+    constexpr int trials = 4000;
+    int held = 0;
+    for (int i = 0; i < trials; ++i) {
+        std::vector<double> values;
+        for (int j = 0; j < n; ++j) values.push_back(draw());
+        held += median_interval(values).holds(truth);
+    }
+    return double(held) / trials;
+}
+
+TEST(MedianInterval, CoversTheTrueMedianAsOftenAsItSaysWhateverTheDistribution) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(1.37, 0.05);
+    std::lognormal_distribution<double> skewed(0, 1);  // median 1: rounds that something disturbed
+    for (const int n : {6, 9, 15, 30}) {
+        // 4000 trials of a 95 % interval scatter by 0.35 %.
+        EXPECT_GE(coverage(n, 1.37, [&] { return normal(random); }), 0.94) << n;
+        EXPECT_GE(coverage(n, 1.0, [&] { return skewed(random); }), 0.94) << n;
+    }
+    EXPECT_LE(coverage(30, 1.0, [&] { return skewed(random); }), 0.98) << "and not by being as wide as can be";
+}
+
+TEST(RatioInterval, PairsRoundsSoThatADriftOfTheMachineCancels) {
+    std::vector<double> slow, fast;
+    for (int i = 0; i < 15; ++i) {
+        const double drift = 1 + 0.2 * i;  // the machine grows four times slower
+        fast.push_back(10 * drift);
+        slow.push_back(13 * drift * (1 + 0.001 * (i % 3 - 1)));
+    }
+    const MedianInterval ratio = ratio_interval(slow, fast);
+    EXPECT_NEAR(ratio.median, 1.3, 1e-3);
+    EXPECT_LT(ratio.high - ratio.low, 0.01);
+    slow[0] = -1;
+    EXPECT_EQ(ratio_interval(slow, fast).samples, 14);
+}
+
+TEST(RatioInterval, SaysNoDifferenceWhereTheIntervalHoldsOne) {
+    EXPECT_EQ(ratio_text(median_interval({0.98, 0.99, 1.0, 1.01, 1.02, 1.03})), "no difference seen (0.98 – 1.03)");
+    EXPECT_EQ(ratio_text(median_interval({1.35, 1.36, 1.37, 1.37, 1.38, 1.40})), "1.37× (1.35 – 1.40)");
+    EXPECT_EQ(ratio_text(median_interval({1.35, 1.36, 1.37})), "1.36× (too few rounds)");
+    EXPECT_EQ(ratio_text({}), "–");
+    EXPECT_EQ(interval_text(exactly(4.96)), "4.96");
+    EXPECT_EQ(interval_text(median_interval({1, 1, 1, 2, 2, 2})), "1.50 (1.00 – 2.00)");
+}
+
+TEST(MeasuredOn, TellsEverythingThatARepetitionNeeds) {
+    MeasuredOn on;
+    on.renderer = "llvmpipe";
+    on.software_gl = true;
+    on.commit = "abc";
+    const std::vector<std::string> lines = on.lines();
+    for (const char* line : {"renderer: llvmpipe (software, not a GPU)", "commit: abc", "seed: 1", "load: unknown"})
+        EXPECT_NE(std::ranges::find(lines, line), lines.end()) << line;
+}
+
+}  // namespace
+}  // namespace kd
