@@ -32,7 +32,7 @@ void draw_constants(BuildConfig& b) {
     if (builder && builder->has_bins)
         widgets::slider("bins", b.bins, fewest_bins, most_bins, "%d",
                         "Planes are tried between so many bins on each axis; nodes with no more triangles than bins "
-                        "are swept exactly. More make better trees, more slowly. Option --bins.");
+                        "are swept exactly. More make better trees. Option --bins.");
 }
 
 void draw_more_constants(BuildConfig& b, const EngineState& state) {
