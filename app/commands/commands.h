@@ -17,8 +17,8 @@ namespace kd {
 [[nodiscard]] Command info_command();
 
 [[nodiscard]] inline std::vector<Command> commands() {
-    return {view_command(),  render_command(), trace_command(),   verify_command(), stability_command(),
-            stats_command(), bench_command(), paper_command(), gallery_command(), info_command()};
+    return {view_command(),  render_command(), trace_command(), verify_command(),  stability_command(),
+            stats_command(), bench_command(),  paper_command(), gallery_command(), info_command()};
 }
 
 }  // namespace kd
