@@ -98,6 +98,15 @@ small_pictures() {
     shoot needs
     stop_window
 
+    open ball:9000
+    press_all shift+y
+    click_on "PAPER/quick"
+    wait_for '^paper.complete=true$' 280
+    click_on "PAPER/figure-13"
+    hover 600 20
+    shoot paper
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1

@@ -1,5 +1,4 @@
 #include "renderer/measure/error_time/hit_report.h"
-#include "renderer/trace/upper_bound.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep.h"
 #include "renderer/measure/stability/sweep_judge.h"
+#include "renderer/trace/upper_bound.h"
 
 namespace kd {
 
