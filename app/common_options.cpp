@@ -1,9 +1,11 @@
 #include "app/common_options.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "app/typed_options.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -18,31 +20,32 @@ std::vector<NamedValue<Traversal>> traversal_names() {
     return names;
 }
 
+/// "textures,normals": names of features, separated by commas.
+FeatureSet parse_features(const std::string& text) {
+    std::vector<NamedValue<Feature>> known;
+    std::vector<std::string> names;
+    for (const FeatureInfo& feature : features()) {
+        known.push_back({std::string(feature.name), feature.id});
+        names.emplace_back(feature.name);
+    }
+    FeatureSet chosen;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string name = text.substr(begin, end - begin);
+        const auto found = std::ranges::find(known, name, &NamedValue<Feature>::name);
+        if (found == known.end())
+            refuse(
+                fmt::format("unknown feature '{}'{}; known: {}", name, did_you_mean(name, names), list_names(known)));
+        chosen.set(found->value, true);
+        begin = end + 1;
+    }
+    return chosen;
+}
+
 std::vector<NamedValue<std::string>> builder_names() {
     std::vector<NamedValue<std::string>> names;
     for (const Builder& builder : builders()) names.push_back({std::string(builder.name), std::string(builder.name)});
     return names;
-}
-
-/// Mirrors, shadows, how leaves are stored and how pixels are culled.
-void add_shading_options(CLI::App& app, CommonOptions& o) {
-    TraceConfig& trace = o.session.trace;
-    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
-                                                   {"duplicated", LeafLists::duplicated}};
-    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
-    std::vector<CLI::Option*> all{
-        add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
-                   "Leaves hold triangle numbers or vertex copies [references]"),
-        add_choice(app, "--early-z", o.session.early_z, culling,
-                   "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
-        app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
-        add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
-                        fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
-        add_number<float>(
-            app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
-            fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
-    };
-    for (CLI::Option* option : all) option->group("Tracing");
 }
 
 }  // namespace
@@ -77,6 +80,29 @@ void add_scenes(CLI::App& app, CommonOptions& options) {
     app.add_option("SCENE", options.scenes, "Scenes by name, or .gltf or .glb files")->required()->type_name("");
 }
 
+void add_shading_options(CLI::App& app, CommonOptions& o) {
+    TraceConfig& trace = o.session.trace;
+    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
+                                                   {"duplicated", LeafLists::duplicated}};
+    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
+    std::vector<CLI::Option*> all{
+        add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
+                   "Leaves hold triangle numbers or vertex copies [references]"),
+        add_choice(app, "--early-z", o.session.early_z, culling,
+                   "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
+        app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
+        add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
+                        fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
+        add_number<float>(
+            app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
+            fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
+        add_text_option(app, "--force", "NAMES",
+                        "Keeps features that the scene does not need; render --needs lists them",
+                        [&trace](const std::string& text) { trace.forced = parse_features(text); }),
+    };
+    for (CLI::Option* option : all) option->group("Tracing");
+}
+
 void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
     BuildConfig& build = o.session.build;
     const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
@@ -100,6 +126,8 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
                         text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
                           text("Most leaf references per triangle", build.reference_cap)),
+        add_number<int>(app, "--bins", build.bins, fewest_bins, most_bins,
+                        text("Bins on each axis of builder binned", build.bins)),
         app.add_flag_callback(
             "--box-leaves", [&build] { build.trim_leaves = false; },
             "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),

@@ -46,6 +46,8 @@ void add_scenes(CLI::App& app, CommonOptions& options);
 void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
 void add_tracing_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+/// Mirrors, shadows, how leaves are stored, how pixels are culled, and features to keep.
+void add_shading_options(CLI::App& app, CommonOptions& options);
 void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 void add_camera_options(CLI::App& app, CommonOptions& options);
 /// All that a traced frame depends on but the camera: size, machine, tracing, shading, tree.

@@ -25,7 +25,14 @@ bool same_frame(const Session& a, const Session& b) {
 }  // namespace
 
 Engine::Engine(const Session& start, EngineOptions options)
-    : options_(std::move(options)), mailbox_(options_.wake), tracing_(std::make_unique<Tracing>(options_.open_gl)),
+    : options_(std::move(options)), mailbox_(options_.wake),
+      tracing_(std::make_unique<Tracing>(options_.open_gl,
+                                         [this](int programs) {
+                                             mailbox_.post([this, programs] {
+                                                 state_.compiled += programs > 0 ? 1 : 0;
+                                                 state_.compiling = programs;
+                                             });
+                                         })),
       loader_(Worker::Priority::low), builder_(Worker::Priority::low), painter_(Worker::Priority::low),
       tracer_(Worker::Priority::low, [this] { tracing_.reset(); }), judger_(Worker::Priority::low) {
     state_.session = start;
@@ -126,12 +133,19 @@ void Engine::allow_duel(bool allowed, int scale) {
     if (!allowed) stop_duel();
 }
 
+void Engine::keep_widths(bool wanted) {
+    options_.widths = wanted;
+    if (!wanted) widths_.cancel();
+}
+
 bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
+    if (state_.needs.active) state_.needs.fraction = needs_fraction_;
     state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
+    start_widths();
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();
     if (!duelling_ && !convergence_.wants_sample()) start_duel();

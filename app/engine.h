@@ -2,7 +2,7 @@
 //
 //   set_session() -> what changed -> scene -> tree -> frame -> picture
 //
-// Maps that compare with the oracle have a stage more, between frame and picture.
+// Maps that compare with the oracle, or look at walks in groups, have a stage more, between frame and picture.
 //
 // Each arrow is a background thread; a change redoes the work from where it enters, and until its result is there the
 // previous one stays. All member functions are called on one thread, the owner's.
@@ -27,6 +27,7 @@ struct EngineOptions {
     OpenGl open_gl;              // called on the tracing thread; empty: no GPU
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
     bool duel = true;            // time CPU and GPU while idle
+    bool widths = false;         // measure efficiency against width while idle
 };
 
 class Engine {
@@ -48,6 +49,9 @@ class Engine {
     void run_case(const std::string& id, bool all_traversals);
     /// The same with its sweep, by the session's traversal.
     void run_sweep(const std::string& id);
+    /// Times what is left out, each feature alone; any change of the picture ends it.
+    void measure_needs();
+    void cancel_needs();
     void cancel_stability() { stability_.cancel(); }
     /// Makes the paper's experiments in the background; while they run nothing else is timed.
     void run_paper(bool quick);
@@ -60,6 +64,8 @@ class Engine {
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
     /// choice.
     void allow_duel(bool allowed, int scale = 0);
+    /// Measures efficiency against width of the rays shown, whenever the picture stays.
+    void keep_widths(bool wanted);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -91,6 +97,7 @@ class Engine {
     void start_duel();
     void receive(const DuelReply& reply);
     void stop_duel();
+    void start_widths();
     void start_sample();
     void receive(const SampleReply& reply);
     void note_frame(const TracedFrame& traced);
@@ -113,10 +120,11 @@ class Engine {
     std::uint64_t trace_ticket_ = 0;      // of the trace started last
     std::uint64_t judge_ticket_ = 0;      // of the comparison started last
     std::shared_ptr<const Frame> judging_frame_;
-    Pass judging_rays_ = Pass::rt_prim;                                                // of it, that are compared
-    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0;  // written by the threads at work
-    TraceRequest duel_failed_;   // its world and configuration cannot be timed
-    std::uint64_t duel_of_ = 0;  // trace_generation_ that the rounds belong to
+    MapConfig judging_map_;  // that needs something beside it
+    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0,
+                       needs_fraction_ = 0;  // written by the threads at work
+    TraceRequest duel_failed_;               // its world and configuration cannot be timed
+    std::uint64_t duel_of_ = 0;              // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
     int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;
@@ -124,6 +132,7 @@ class Engine {
 
     Mailbox mailbox_;
     StabilityBench stability_{mailbox_, state_.stability};
+    WidthBench widths_{mailbox_, state_.widths};
     PaperBench paper_{mailbox_, state_.paper};
     Convergence convergence_{state_.convergence};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread

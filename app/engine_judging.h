@@ -1,4 +1,4 @@
-// The judging thread's work: the hits of a frame against double precision, coarsely first.
+// The judging thread's work, beside a frame: its hits against double precision, coarsely first, or its walks in groups.
 #pragma once
 
 #include <functional>
@@ -19,6 +19,11 @@ class Judging {
     void judge(const TracedFrame& traced, Pass rays, int threads, const std::stop_token& stop,
                const std::function<void(std::shared_ptr<const JudgedLayer>)>& publish,
                const std::function<void(float)>& progress);
+
+    /// The groups of the frame's rays as `map` asks for them; nothing where stopped.
+    static std::shared_ptr<const LockstepLayer> walk(const TracedFrame& traced, const MapConfig& map, int threads,
+                                                     const std::stop_token& stop,
+                                                     const std::function<void(float)>& progress);
 
   private:
     std::shared_ptr<const LoadedScene> scene_;  // that oracle_ answers for

@@ -78,9 +78,10 @@ Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, cons
     return image;
 }
 
-/// For the rays that the view compares, if it does.
-const JudgedLayer* judged_of(const PaintRequest& request) {
-    return is_judged_for(request.traced, request.view, false) ? request.traced.judged.get() : nullptr;
+/// What the view's map is made from, where it is there.
+BesideFrame beside_of(const PaintRequest& request) {
+    if (!is_complete_for(request.traced, request.view, false)) return {};
+    return {request.traced.judged.get(), needs_walks(request.view) ? request.traced.walks.get() : nullptr};
 }
 
 MapMeaning meaning_of(MapView view) {
@@ -94,7 +95,7 @@ MapMeaning meaning_of(MapView view) {
 
 Picture paint(const PaintRequest& request) {
     Picture picture;
-    std::optional<MapView> map = view_map(*request.traced.frame, request.view, judged_of(request));
+    std::optional<MapView> map = view_map(*request.traced.frame, request.view, beside_of(request));
     picture.image = paint_image(request.traced, request.view, map);
     picture.view = request.view;
     if (map) picture.map = meaning_of(std::move(*map));

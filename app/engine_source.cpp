@@ -39,7 +39,9 @@ class CpuSource final : public FrameSource {
 /// Cuts frames into tiles small enough to stop between.
 class GlSource final : public FrameSource {
   public:
-    explicit GlSource(Context& context) : tracer_(context) {}
+    GlSource(Context& context, std::function<void(int)> compiling) : tracer_(context) {
+        tracer_.tell_compiling(std::move(compiling));
+    }
 
     void prepare(const FrameTask& task, int width, int height) override {
         if (task.world != world_) {
@@ -76,6 +78,8 @@ class GlSource final : public FrameSource {
 
 std::unique_ptr<FrameSource> make_cpu_source() { return std::make_unique<CpuSource>(); }
 
-std::unique_ptr<FrameSource> make_gl_source(Context& context) { return std::make_unique<GlSource>(context); }
+std::unique_ptr<FrameSource> make_gl_source(Context& context, std::function<void(int)> compiling) {
+    return std::make_unique<GlSource>(context, std::move(compiling));
+}
 
 }  // namespace kd

@@ -41,7 +41,7 @@ class FrameSource {
 };
 
 [[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source();
-/// `context` is current and outlives the source.
-[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context);
+/// `context` is current and outlives the source; `compiling` as in GlTracer::tell_compiling().
+[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context, std::function<void(int)> compiling);
 
 }  // namespace kd

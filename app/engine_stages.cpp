@@ -21,6 +21,12 @@ bool asks_for(const Session& session, const LoadedScene& scene) {
     return session.scene == scene.name && session.seed == scene.seed;
 }
 
+/// Whether what the map needs beside the frame exists at all.
+bool can_be_made(const MapConfig& map) {
+    if (needs_walks(map)) return has_valid_tile(map);
+    return has_nearest_hits(map.rays);
+}
+
 }  // namespace
 
 void Engine::start_load() {
@@ -93,6 +99,7 @@ void Engine::start_build() {
         try {
             world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
+            world->facts = scene_facts(loaded->flat, world->tree);
         } catch (const std::exception& e) {
             error = error_text(e, "the tree");
         }
@@ -148,7 +155,7 @@ void Engine::start_trace() {
     trace_fraction_ = 0;
     judger_.cancel();
     state_.judging = {};
-    duelling_ = state_.duel.running = false;
+    duelling_ = state_.duel.running = state_.needs.active = false;
     tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
         std::string error;
         try {
@@ -189,25 +196,35 @@ void Engine::receive(TracedFrame traced) {
 }
 
 void Engine::start_judging() {
-    const Pass rays = state_.session.view.map.rays;
-    if (state_.judging.active && judging_frame_ == traced_.frame && judging_rays_ == rays) return;
+    const MapConfig& map = state_.session.view.map;
+    const bool same =
+        judging_map_ == map || (needs_oracle(map) && needs_oracle(judging_map_) && judging_map_.rays == map.rays);
+    if (state_.judging.active && judging_frame_ == traced_.frame && same) return;
     judging_frame_ = traced_.frame;
-    judging_rays_ = rays;
+    judging_map_ = map;
     state_.judging = {true, 0};
     judge_fraction_ = 0;
     judger_.submit([this, traced = traced_, view = state_.session.view, threads = state_.session.threads,
                     ticket = ++judge_ticket_](const std::stop_token& stop) {
         std::string error;
-        const auto publish = [&](std::shared_ptr<const JudgedLayer> judged) {
+        const auto publish = [&](const auto& add) {
             TracedFrame done = traced;
-            done.judged = std::move(judged);
+            add(done);
             mailbox_.post([this, done = std::move(done)] { receive_judged(done); });
         };
+        const auto progress = [this](float fraction) { judge_fraction_ = fraction; };
         try {
-            judging_.judge(traced, view.map.rays, threads, stop, publish,
-                           [this](float fraction) { judge_fraction_ = fraction; });
+            if (needs_walks(view)) {
+                if (auto walks = Judging::walk(traced, view.map, threads, stop, progress))
+                    publish([&](TracedFrame& done) { done.walks = std::move(walks); });
+            } else {
+                judging_.judge(
+                    traced, view.map.rays, threads, stop,
+                    [&](auto judged) { publish([&](TracedFrame& done) { done.judged = std::move(judged); }); },
+                    progress);
+            }
         } catch (const std::exception& e) {
-            error = e.what();
+            error = error_text(e, "the picture");
         }
         mailbox_.post([this, error, ticket, view] {
             if (ticket == judge_ticket_) state_.judging = {};
@@ -219,16 +236,16 @@ void Engine::start_judging() {
 void Engine::receive_judged(const TracedFrame& judged) {
     if (traced_.frame == judged.frame) traced_ = judged;
     const ViewConfig& view = state_.session.view;
-    if (needs_oracle(view) && is_judged_for(judged, view, false)) paint_now(judged);
+    if ((needs_oracle(view) || needs_walks(view)) && is_complete_for(judged, view, false)) paint_now(judged);
 }
 
 void Engine::start_paint() {
     if (!traced_.frame) return;
     const ViewConfig& view = state_.session.view;
-    // Painting refuses, and says why, what cannot be judged.
-    if (has_nearest_hits(view.map.rays) && !is_judged_for(traced_, view, true)) {
+    // Painting refuses, and says why, what cannot be judged or walked.
+    if (can_be_made(view.map) && !is_complete_for(traced_, view, true)) {
         start_judging();
-        if (!is_judged_for(traced_, view, false)) return;
+        if (!is_complete_for(traced_, view, false)) return;
     } else {
         judger_.cancel();
         state_.judging = {};
@@ -242,8 +259,10 @@ void Engine::paint_now(const TracedFrame& traced) {
     request.generation = answers ? state_.generation : traced.generation;
     const std::uint64_t ticket = ++paint_ticket_;
     const bool preview = traced.scale > 1;
-    const bool all_judged = is_judged_for(traced, request.view, true);
-    if (preview || !all_judged || paint_ms_ > longest_paint_ms) {
+    const bool all_judged = is_complete_for(traced, request.view, true);
+    // Groups of pixels cannot be thinned out.
+    const bool sketchable = !needs_walks(request.view);
+    if (preview || !all_judged || (sketchable && paint_ms_ > longest_paint_ms)) {
         sketcher_.submit([this, request, preview, ticket](const std::stop_token&) {
             paint_and_show(ticket, request.view, [&] { return preview ? paint(request) : paint_sketch(request); });
         });
@@ -283,8 +302,8 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.paper.active) return;      // its times are not to be disturbed
-    if (state_.stability.active) return;  // it takes all processors
+    if (state_.paper.active) return;  // its times are not to be disturbed
+    if (state_.stability.active || state_.widths.active) return;  // they take all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
     const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
@@ -340,6 +359,17 @@ void Engine::receive(const DuelReply& reply) {
     duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
     note_rounds();
+}
+
+/// Of the frame and the rays that the picture shows. A picture that changes is left alone.
+void Engine::start_widths() {
+    if (!options_.widths || !traced_.frame) return;
+    const Pass rays = state_.session.view.map.rays;
+    if (widths_.is_of(traced_, rays)) return;
+    widths_.cancel();
+    if (state_.stale() || state_.working() || traced_.scale != 1 || now() - last_input_ < quiet_before_duel_s) return;
+    stop_duel();
+    widths_.measure(traced_, rays, state_.session.threads);
 }
 
 void Engine::stop_duel() {

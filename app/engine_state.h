@@ -13,9 +13,11 @@
 #include "app/engine_paper.h"
 #include "app/engine_pixel.h"
 #include "app/engine_stability.h"
+#include "app/engine_widths.h"
 #include "app/engine_world.h"
 #include "app/frame_time.h"
 #include "app/session.h"
+#include "renderer/measure/needs_costs.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
@@ -38,12 +40,15 @@ struct TracedFrame {
     std::string clock;  // that the time was read from
     SceneNeeds needs;   // which passes and parts ran
     std::vector<std::string> left_out;
-    std::uint64_t generation = 0;  // EngineState::generation that it answers
-    UnfinishedPixels unfinished;   // of the frame's own pixels
+    std::uint64_t generation = 0;                     // EngineState::generation that it answers
+    UnfinishedPixels unfinished;                      // of the frame's own pixels
+    std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
 };
 
-/// Whether `traced` holds what `view` asks of the oracle: of all pixels, or of those of a sketch at least.
-[[nodiscard]] inline bool is_judged_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+/// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch at
+/// least.
+[[nodiscard]] inline bool is_complete_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
+    if (needs_walks(view)) return traced.walks && fits(*traced.walks, view.map);
     if (!needs_oracle(view)) return true;
     return traced.judged && traced.judged->rays == view.map.rays && (!all || traced.judged->step == 1);
 }
@@ -91,6 +96,16 @@ struct GlStatus {
     [[nodiscard]] bool available() const { return known && unavailable.empty(); }
 };
 
+/// What features save that are left out, measured when asked for.
+struct NeedsTiming {
+    bool active = false;
+    float fraction = 0;  // 0..1
+    std::vector<FeatureTime> times;
+    std::shared_ptr<const World> world;  // of the frames timed
+    Session of;
+    std::string error;  // why nothing was measured
+};
+
 struct EngineState {
     Session session;                         // what was asked for, corrected where it could not be had
     std::uint64_t generation = 0;            // grows with every change of the session that changes the picture
@@ -98,11 +113,15 @@ struct EngineState {
     Camera camera;                           // in use: the session's, or the scene's own
     std::shared_ptr<const Picture> picture;  // shown; null until the first is ready
     Progress loading, building, tracing;
-    Progress judging;  // comparing the frame with double precision
+    Progress judging;  // making what a map needs beside the frame: its hits judged, its walks in groups
     std::string loading_name;
     GlStatus gl;
     DuelState duel;
+    NeedsTiming needs;
+    int compiling = 0;  // programs that the GPU is being given now
+    int compiled = 0;   // since the start
     StabilityState stability;
+    WidthState widths;
     PaperState paper;
     ConvergenceState convergence;
     std::optional<PixelReading> hovered, pinned;
@@ -116,6 +135,13 @@ struct EngineState {
         return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
     [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active || judging.active; }
+    /// What features save was measured of another picture, scene or machine.
+    [[nodiscard]] bool needs_outdated() const {
+        Session now = session;
+        now.trace.forced = needs.of.trace.forced;  // each was timed alone, whatever else was put back
+        now.view = needs.of.view;
+        return needs.world != world || now != needs.of;
+    }
     /// What the oracle says of every pixel of the picture shown; null where it does not, or not yet.
     [[nodiscard]] const JudgedLayer* judged() const {
         const JudgedLayer* found = picture ? picture->traced.judged.get() : nullptr;

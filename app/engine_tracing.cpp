@@ -29,7 +29,7 @@ const GlStatus& Tracing::open() {
         status_.renderer = context_->renderer();
         status_.version = context_->version();
         status_.software = context_->is_software();
-        gl_ = make_gl_source(*context_);
+        gl_ = make_gl_source(*context_, compiling_);
     } catch (const std::exception& error) {
         status_.unavailable = error.what();
         status_.fails = dynamic_cast<const GlError*>(&error) != nullptr;
@@ -121,8 +121,8 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
     forget_speed_of_others(request);
     FrameSource& machine = source(request.tracer);
     const FrameTask task = task_of(request);
-    const SceneNeeds needs = scene_needs(request.world->scene(), request.config);
-    const std::vector<std::string> omitted = left_out(needs, request.world->scene(), request.config);
+    const SceneNeeds needs = scene_needs(request.world->facts, request.config);
+    const std::vector<std::string> omitted = left_out(request.world->facts, request.config);
 
     const int first = plan_.first(request.width, request.height);
     for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {
@@ -169,6 +169,30 @@ int Tracing::scale_to_time(const TraceRequest& request) {
     return duel_scale_;
 }
 
+std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int rounds, const std::stop_token& stop,
+                                             const std::function<void(float)>& progress) {
+    FrameSource& machine = source(request.tracer);
+    const int scale = scale_to_time(request);
+    const int width = scaled_size(request.width, scale);
+    const int height = scaled_size(request.height, scale);
+    const std::shared_ptr<Frame> scratch = frames_.take(width, height);
+    FrameTask task = task_of(request);
+    const auto frame = [&](FeatureSet forced) {
+        task.config.forced = forced;
+        machine.prepare(task, width, height);
+        return machine.trace(task, *scratch, stop, {}).total_ms;
+    };
+    const auto go_on = [&](float done) {
+        progress(done);
+        return !stop.stop_requested();
+    };
+    const bool on_cpu = request.tracer == TracerKind::cpu;
+    const std::vector<Feature> all = removable(request.world->facts, request.config, on_cpu);
+    std::vector<FeatureTime> times = time_features(all, frame, rounds, go_on);
+    if (stop.stop_requested()) return {};
+    return times;
+}
+
 std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const std::stop_token& stop) {
     const int scale = scale_to_time(request);
     DuelReply reply;
@@ -178,7 +202,8 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
     FrameTask task = task_of(request);
     if (counted_generation_ != request.generation || counted_width_ != reply.width) {
         const RayCounts counts = count_rays(request.world->scene(), request.world->tree, task.config, task.camera,
-                                            reply.width, reply.height);
+                                            reply.width, reply.height, stop);
+        if (stop.stop_requested()) return std::nullopt;
         rays_ = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
         counted_generation_ = request.generation;
         counted_width_ = reply.width;

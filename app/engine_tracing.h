@@ -12,6 +12,7 @@
 #include "app/engine_levels.h"
 #include "app/engine_source.h"
 #include "app/engine_state.h"
+#include "renderer/measure/needs_costs.h"
 
 namespace kd {
 
@@ -48,7 +49,9 @@ struct SampleReply {
 /// Used by one thread alone, from open() to its destruction: the GL context belongs to that thread.
 class Tracing {
   public:
-    explicit Tracing(OpenGl open_gl) : open_gl_(std::move(open_gl)) {}
+    /// `compiling` as in GlTracer::tell_compiling(), on the tracing thread.
+    explicit Tracing(OpenGl open_gl, std::function<void(int)> compiling = {})
+        : open_gl_(std::move(open_gl)), compiling_(std::move(compiling)) {}
 
     /// Opens GL where there is some, once, and tests it.
     const GlStatus& open();
@@ -64,6 +67,10 @@ class Tracing {
     /// One frame by each machine, without counters. Nothing where stopped.
     std::optional<DuelReply> duel(const TraceRequest& request, const std::stop_token& stop);
 
+    /// What each feature saves that the request leaves out, at the duel's size. Nothing where stopped.
+    std::vector<FeatureTime> time_needs(const TraceRequest& request, int rounds, const std::stop_token& stop,
+                                        const std::function<void(float)>& progress);
+
   private:
     FrameSource& source(TracerKind kind);
     void trace_levels(const TraceRequest& request, const std::stop_token& stop,
@@ -74,6 +81,7 @@ class Tracing {
     int scale_to_time(const TraceRequest& request);
 
     OpenGl open_gl_;
+    std::function<void(int)> compiling_;
     GlStatus status_;
     std::optional<std::chrono::steady_clock::time_point> lost_at_;  // when a context was lost last
     std::unique_ptr<Context> context_;                              // before the source that lives in it

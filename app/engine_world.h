@@ -6,6 +6,7 @@
 
 #include "renderer/kdtree/build.h"
 #include "renderer/kdtree/stats.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
 
 namespace kd {
@@ -23,6 +24,7 @@ struct World {
     KdTree tree;
     BuildReport report;
     TreeStats stats;
+    SceneFacts facts;
 
     [[nodiscard]] const FlatScene& scene() const { return loaded->flat; }
 };

@@ -19,8 +19,10 @@ std::string changed(const char* name, const Value& value, const Value& otherwise
 
 std::string tree_text(const BuildConfig& b) {
     const BuildConfig start;
-    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{})", b.builder, b.traversal_cost,
+    const Builder* builder = find_builder(b.builder);
+    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{})", b.builder, b.traversal_cost,
                        b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
+                       builder && builder->has_bins ? fmt::format(", {} bins", b.bins) : "",
                        b.trim_leaves ? "" : ", box leaves", changed("depth limit", b.max_depth, start.max_depth),
                        changed("bad splits", b.bad_refines, start.bad_refines),
                        changed("reference cap", b.reference_cap, start.reference_cap));

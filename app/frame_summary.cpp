@@ -1,6 +1,6 @@
 #include "app/frame_summary.h"
 
-#include "renderer/measure/stability/stability.h"
+#include "renderer/trace/upper_bound.h"
 #include "viz/unfinished.h"
 
 namespace kd {
@@ -63,6 +63,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"counters", counters_json(s.frame, rays)},
         {"unfinished", unfinished_json(s.frame)},
     };
+    if (s.needs) json["needs"] = *s.needs;
     if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
     return json;
 }

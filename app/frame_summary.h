@@ -21,6 +21,7 @@ struct FrameSummary {
     std::string clock;
     const std::vector<std::string>& left_out;
     const JudgedLayer* judged = nullptr;  // null where nothing was compared
+    std::optional<Json> needs{};          // where they were listed
 };
 
 /// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits. `rays` takes as long to count as the frame to

@@ -37,8 +37,14 @@ void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const Co
         context.err << fmt::format("kdscope: note: {} has no effect: {}\n", use->option, printable(use->otherwise));
 }
 
+OptionUse bins_use(const Session& session, bool all_builders) {
+    const Builder* builder = find_builder(session.build.builder);
+    return {"--bins", all_builders || (builder && builder->has_bins),
+            fmt::format("builder {} has none; --builder binned would use them", session.build.builder)};
+}
+
 std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
-                                   bool random_rays) {
+                                   bool random_rays, bool all_builders) {
     const bool named = options.tracer.has_value() || !all_tracers;
     const bool gl = !named || session.tracer == TracerKind::gl_fragment;
     const bool cpu = !named || session.tracer == TracerKind::cpu;
@@ -53,6 +59,7 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
         {"--leaf-lists", walks, no_walk},
         {"--rules", walks, no_walk},
         {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
+        bins_use(session, all_builders && !options.builder),
         {"--seed", random_rays || is_seeded(session.scene), fmt::format("nothing in {} is random", session.scene)},
     };
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
+#include "renderer/scene/needs.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -12,6 +13,13 @@ namespace kd {
 namespace {
 
 Json json_of(Vec3 v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
+
+Json names_of(FeatureSet forced) {
+    Json names = Json::array();
+    for (const FeatureInfo& feature : features())
+        if (forced.has(feature.id)) names.push_back(feature.name);
+    return names;
+}
 
 }  // namespace
 
@@ -45,6 +53,7 @@ Json json_of(const BuildConfig& b) {
             {"max_depth", b.max_depth},
             {"bad_refines", b.bad_refines},
             {"reference_cap", json_number(b.reference_cap)},
+            {"bins", b.bins},
             {"trim_leaves", b.trim_leaves}};
 }
 
@@ -56,6 +65,7 @@ Json json_of(const ViewConfig& view) {
                        {"rays", json_key(ray_names[std::size_t(view.map.rays)])},
                        {"tile_width", view.map.tile_width},
                        {"tile_height", view.map.tile_height},
+                       {"schedule", info(view.map.schedule).name},
                        {"colormap", heat.colormap},
                        {"log", heat.logarithmic},
                        {"opacity", json_number(heat.opacity)}};
@@ -81,6 +91,7 @@ Json json_of(const Session& s) {
               {"shadows", s.trace.shadows},
               {"reflection_depth", s.trace.reflection_depth},
               {"min_contribution", json_number(s.trace.least_contribution)},
+              {"forced", names_of(s.trace.forced)},
               {"threads", s.threads},
               {"build", json_of(s.build)}};
     if (s.camera) json["camera"] = json_of(*s.camera);

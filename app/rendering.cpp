@@ -1,12 +1,19 @@
 #include "app/rendering.h"
 
+#include <fmt/format.h>
+#include <ostream>
+
 #include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "renderer/measure/frame_judge.h"
-#include "renderer/scene/needs.h"
+#include "renderer/measure/frame_walks.h"
 #include "viz/figure.h"
 
 namespace kd {
+
+GlChoices gl_choices(const CommonOptions& options, const Session& session) {
+    return {options.context.value_or(ContextKind::automatic), session.early_z, options.count_shaded};
+}
 
 Rendering render(const CommonOptions& options, Session session, CommandContext& context) {
     check_frame_memory(session.width, session.height);
@@ -20,10 +27,13 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop);
     check_stop(context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
-    r.left_out = left_out(scene_needs(r.scene, s.trace), r.scene, s.trace);
+    r.facts = scene_facts(r.scene, r.tree);
+    r.left_out = left_out(r.facts, s.trace);
+    for (const FeatureInfo& feature : features())
+        if (const FeatureNeed need = feature.need(r.facts, s.trace); s.trace.forced.has(feature.id) && !need.can_return)
+            context.err << fmt::format("kdscope: note: --force {} has no effect: {}\n", feature.name, need.why);
 
-    const GlChoices gl{options.context.value_or(ContextKind::automatic), s.early_z, options.count_shaded};
-    const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl);
+    const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl_choices(options, s));
     tracer->prepare(s.trace, s.width, s.height);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
     r.time = tracer->trace(s.trace, camera, s.width, s.height, context.stop, show("tracing"));
@@ -37,6 +47,19 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
         r.judged = judge_frame(oracle, {r.frame, camera, s.view.map.rays, 1, s.threads}, context.stop,
                                show("comparing with double precision"));
         if (!r.judged) throw Interrupted();
+    }
+    if (needs_walks(s.view)) {
+        const MapConfig& map = s.view.map;
+        r.walks = walk_frame({.scene = r.scene,
+                              .tree = r.tree,
+                              .config = s.trace,
+                              .camera = camera,
+                              .width = s.width,
+                              .height = s.height,
+                              .rays = map.rays,
+                              .threads = s.threads},
+                             map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
+        if (!r.walks) throw Interrupted();
     }
     return r;
 }
@@ -62,10 +85,9 @@ void write_picture(const std::string& path, const Rendering& r, const ViewConfig
     const std::string title = title_of(r.session.scene, view);
     const std::string caption = caption_of(facts_of(r));
     const bool bare = !legend || (!view.show_map && !view.overlay.show);
-    const JudgedLayer* judged = r.judged ? &*r.judged : nullptr;
     const Image<Rgba8> image =
-        bare ? make_picture(r.frame, r.tree, r.scene.camera, view, judged)
-             : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, judged);
+        bare ? make_picture(r.frame, r.tree, r.scene.camera, view, beside(r))
+             : make_figure(r.frame, r.tree, r.scene.camera, view, title, caption, font, 1, beside(r));
     write_png(path, image, png_text(title, caption, in_scene_units(r.session, r.scene), view));
 }
 

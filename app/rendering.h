@@ -10,6 +10,7 @@
 #include "app/figure_text.h"
 #include "app/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
+#include "renderer/scene/needs.h"
 #include "viz/text.h"
 
 namespace kd {
@@ -20,16 +21,25 @@ struct Rendering {
     KdTree tree;
     BuildReport build;
     TreeStats stats;
+    SceneFacts facts;
     Frame frame;
-    std::optional<JudgedLayer> judged;  // where the map shown asks for it
+    std::optional<JudgedLayer> judged;   // where the map shown asks for it
+    std::optional<LockstepLayer> walks;  // likewise
     FrameTime time;
     std::string renderer, clock;
     bool software_gl = false;
     std::vector<std::string> left_out;  // what scene and settings do not need
 };
 
-/// Loads, builds, traces, and compares with the oracle where the map asks for it, with progress on the context's terminal. InputError, ContextError, Interrupted.
+/// Of a command: what only gl-fragment asks.
+[[nodiscard]] GlChoices gl_choices(const CommonOptions& options, const Session& session);
+
+/// Loads, builds, traces, and makes what the map asks for beside the frame, with progress on the context's terminal. InputError, ContextError, Interrupted.
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
+
+[[nodiscard]] inline BesideFrame beside(const Rendering& r) {
+    return {r.judged ? &*r.judged : nullptr, r.walks ? &*r.walks : nullptr};
+}
 
 /// What its figures' captions tell.
 [[nodiscard]] FigureFacts facts_of(const Rendering& rendering);

@@ -87,6 +87,26 @@ small_pictures() {
     shoot stability-sweep
     stop_window
 
+    open rooms --tracer gl-fragment
+    press_all x
+    click_on "NEEDS/measure"
+    wait_for '^needs.saved_ms.textures=' 280
+    wait_for '^needs.active=false$'
+    click_on "NEEDS/normals"
+    wait_for '^settings.forced.0=normals$'
+    hover 600 20
+    shoot needs
+    stop_window
+
+    open ball:9000
+    press_all shift+y
+    click_on "PAPER/quick"
+    wait_for '^paper.complete=true$' 280
+    click_on "PAPER/figure-13"
+    hover 600 20
+    shoot paper
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "viz/chart_script_legend.h"
+
 namespace kd {
 
 namespace {
@@ -70,8 +72,7 @@ class Script {
                                      : fmt::format("from graph 0, first {0:.10g} to graph 1, first {0:.10g}", value);
         const std::string look = fmt::format("lw 1.6 dt {} lc rgb '{}'", dash_of(line.stroke), colour_of(line.ink));
         arrows_ += fmt::format("set arrow {} nohead front {}\n", ends, look);
-        if (!line.name.empty())
-            parts_.push_back(fmt::format("NaN with lines {} title {}", look, gnuplot_text(line.name)));
+        legend_.push_back({line.name, colour_of(line.ink), dash_of(line.stroke), 0, false});
     }
 
     [[nodiscard]] std::string data() const { return data_ + labels_ + arrows_; }
@@ -80,9 +81,12 @@ class Script {
         for (std::size_t i = 0; i < parts_.size(); ++i) text += (i ? ", \\\n     " : "") + parts_[i];
         return parts_.empty() ? "plot NaN notitle\n" : text + "\n";
     }
-    [[nodiscard]] std::size_t legend_entries() const {
-        return std::size_t(std::ranges::count_if(
-            parts_, [](const std::string& part) { return part.find(" title ") != std::string::npos; }));
+    /// Those with a name.
+    [[nodiscard]] std::vector<LegendEntry> legend() const {
+        std::vector<LegendEntry> named;
+        for (const LegendEntry& entry : legend_)
+            if (!entry.name.empty()) named.push_back(entry);
+        return named;
     }
 
   private:
@@ -153,44 +157,35 @@ class Script {
     }
 
     void add_legend_entry(const ChartCurve& curve) {
-        if (curve.name.empty()) return;
-        const int symbol = symbol_of(marker_of(curve));
-        std::string look;
-        if (curve.form == Form::bars)
-            look = fmt::format("boxes fillstyle solid noborder lc rgb '{}'", colour_);
-        else if (curve.form == Form::points)
-            look = fmt::format("points pt {} ps 0.9 lc rgb '{}'", symbol, colour_);
-        else if (symbol == 0)
-            look = fmt::format("lines lw 2 dt {} lc rgb '{}'", dash_of(curve.stroke), colour_);
-        else
-            look =
-                fmt::format("linespoints lw 2 dt {} pt {} ps 0.9 lc rgb '{}'", dash_of(curve.stroke), symbol, colour_);
-        parts_.push_back(fmt::format("NaN with {} title {}", look, gnuplot_text(curve.name)));
+        const bool open = std::ranges::all_of(curve.points, [](const ChartPoint& p) { return p.bound; });
+        const int symbol = symbol_of(marker_of(curve)) - (open && marker_of(curve) != Marker::none ? 1 : 0);
+        legend_.push_back({curve.name, colour_, curve.form == Form::line ? dash_of(curve.stroke) : nullptr, symbol,
+                           curve.form == Form::bars});
     }
 
     const Chart& chart_;
     std::string data_, labels_, arrows_;
     const char* colour_ = "";
     std::vector<std::string> parts_;
+    std::vector<LegendEntry> legend_;
     int blocks_ = 0;
 };
+
+/// gnuplot reads the text of a tick as a format, in which "%" begins a number.
+std::string tick_text(const std::string& text) {
+    std::string doubled;
+    for (const char c : text) doubled += c == '%' ? "%%" : std::string(1, c);
+    return gnuplot_text(doubled);
+}
 
 std::string axis_text(const char* name, const ChartAxis& axis) {
     std::string ticks;
     for (const ChartTick& tick : axis.ticks)
-        ticks += fmt::format("{}{} {:.10g}", ticks.empty() ? "" : ", ", gnuplot_text(tick.text), tick.value);
+        ticks += fmt::format("{}{} {:.10g}", ticks.empty() ? "" : ", ", tick_text(tick.text), tick.value);
     return fmt::format(
         "set {0}label {1}\n{2}set {0}range [{3:.10g}:{4:.10g}] noextend\nset {0}tics nomirror scale 0.6 ({5})\n", name,
         gnuplot_text(axis.label), axis.logarithmic ? fmt::format("set logscale {}\n", name) : "", axis.low, axis.high,
         ticks);
-}
-
-/// As many columns as their texts have room for.
-std::size_t legend_columns(const Chart& chart, int width) {
-    std::size_t longest = 1;
-    for (const ChartCurve& curve : chart.curves) longest = std::max(longest, curve.name.size());
-    for (const ChartLine& line : chart.lines) longest = std::max(longest, line.name.size());
-    return std::clamp<std::size_t>(std::size_t(width - 60) / (60 + 8 * longest), 1, 4);
 }
 
 }  // namespace
@@ -208,10 +203,10 @@ std::string chart_script(const Chart& chart, int width) {
     Script script(chart);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) script.add_curve(i);
     for (const ChartLine& line : chart.lines) script.add_line(line);
-    const std::size_t columns = legend_columns(chart, width);
-    const int rows = int((script.legend_entries() + columns - 1) / columns);
+    const ScriptLegend legend(script.legend(), width);
     constexpr int top = 48;
-    const int foot = 72 + 19 * rows + (chart.note.empty() ? 0 : 20);
+    const int note = chart.note.empty() ? 0 : 22;
+    const int foot = 66 + legend.height() + note;
     const int height = width * 45 / 100 + foot + top;
     std::string text = fmt::format(
         "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background rgb 'white'\n"
@@ -219,9 +214,7 @@ std::string chart_script(const Chart& chart, int width) {
         "set bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\nset rmargin 3\n",
         width, height, gnuplot_text(chart.title), double(foot) / height, 1 - double(top) / height);
     text += axis_text("x", chart.x) + axis_text("y", chart.y);
-    text +=
-        fmt::format("set key at screen 0.5, screen {:.4f} center top horizontal Left reverse samplen 2.5 maxcols {}\n",
-                    (19.0 * rows + (chart.note.empty() ? 4 : 24)) / height, columns);
+    text += "unset key\n" + legend.script(legend.height() - 8 + note, height);
     if (!chart.note.empty())
         text += fmt::format("set label {} at screen 0.5, screen {:.4f} center font ',11' textcolor rgb '#555555'\n",
                             gnuplot_text(chart.note), 9.0 / height);

@@ -4,8 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "viz/percentile.h"
-
 namespace kd {
 namespace {
 
@@ -33,10 +31,6 @@ void for_each_tile(const RayLayer& layer, int tile_width, int tile_height, Visit
     }
 }
 
-std::uint64_t slots_of(const TileWork& work, int tile_width, int tile_height) {
-    return work.max * std::uint64_t(tile_width) * std::uint64_t(tile_height);
-}
-
 template <class Value>
 void fill_tile(Image<float>& image, const Tile& area, Value value) {
     for (int y = area.y0; y < area.y1; ++y) {
@@ -50,7 +44,7 @@ Image<float> step_efficiency(const RayLayer& layer, int tile_width, int tile_hei
     Image<float> result(layer.counters.width, layer.counters.height, std::numeric_limits<float>::quiet_NaN());
     for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
         if (work.max == 0) return;
-        const double efficiency = double(work.sum) / double(slots_of(work, tile_width, tile_height));
+        const double efficiency = GroupTally{work.sum, work.max, 0}.efficiency(tile_width * tile_height);
         fill_tile(result, work.area, [&](int, int) { return float(efficiency); });
     });
     return result;
@@ -65,22 +59,12 @@ Image<float> idle_steps(const RayLayer& layer, int tile_width, int tile_height) 
     return result;
 }
 
-DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height) {
-    DivergenceSummary summary;
-    std::vector<float> efficiencies;
+EfficiencySummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height) {
+    std::vector<GroupTally> groups;
     for_each_tile(layer, tile_width, tile_height, [&](const TileWork& work) {
-        if (work.max == 0) return;
-        const std::uint64_t slots = slots_of(work, tile_width, tile_height);
-        summary.steps += work.sum;
-        summary.slots += slots;
-        efficiencies.push_back(float(double(work.sum) / double(slots)));
+        groups.push_back({work.sum, work.max, 0});
     });
-    if (efficiencies.empty()) return summary;
-    summary.tiles = std::int64_t(efficiencies.size());
-    summary.weighted = double(summary.steps) / double(summary.slots);
-    summary.median = double(percentile(efficiencies, 0.5));
-    summary.p5 = double(percentile(efficiencies, 0.05));
-    return summary;
+    return summarise_efficiency(groups, tile_width * tile_height);
 }
 
 }  // namespace kd

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "renderer/trace/efficiency.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
@@ -23,14 +24,7 @@ namespace kd {
 /// Steps that each lane waits for the slowest of its tile: max(n) - n, at least 0.
 [[nodiscard]] Image<float> idle_steps(const RayLayer& layer, int tile_width, int tile_height);
 
-/// The whole image in numbers, over the tiles that have work.
-struct DivergenceSummary {
-    std::int64_t tiles = 0;
-    std::uint64_t steps = 0, slots = 0;  // sum of n, sum of W * max(n)
-    double weighted = 0;                 // steps / slots: the efficiency of the image
-    double median = 0, p5 = 0;           // of the tiles' efficiencies, each tile counting once
-};
-
-[[nodiscard]] DivergenceSummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height);
+/// The whole image in numbers; a tile's iterations are the steps of its slowest lane.
+[[nodiscard]] EfficiencySummary summarise_divergence(const RayLayer& layer, int tile_width, int tile_height);
 
 }  // namespace kd

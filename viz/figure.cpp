@@ -6,9 +6,11 @@ namespace kd {
 
 bool needs_oracle(const ViewConfig& view) { return view.show_map && needs_oracle(view.map); }
 
-std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view, const JudgedLayer* judged) {
+bool needs_walks(const ViewConfig& view) { return view.show_map && needs_walks(view.map); }
+
+std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view, const BesideFrame& beside) {
     if (!view.show_map) return std::nullopt;
-    MapView result{compute_map(frame, view.map, judged), {}};
+    MapView result{compute_map(frame, view.map, beside), {}};
     result.summary = summarise_map(result.map, view.heat);
     return result;
 }
@@ -29,8 +31,8 @@ Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& 
 }
 
 Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
-                          const JudgedLayer* judged) {
-    return make_picture(frame, tree, camera, view, view_map(frame, view, judged));
+                          const BesideFrame& beside) {
+    return make_picture(frame, tree, camera, view, view_map(frame, view, beside));
 }
 
 Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map,
@@ -47,8 +49,8 @@ Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::
 
 Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera, const ViewConfig& view,
                          const std::string& title, const std::string& caption, const Font& font, int scale,
-                         const JudgedLayer* judged) {
-    const std::optional<MapView> map = view_map(frame, view, judged);
+                         const BesideFrame& beside) {
+    const std::optional<MapView> map = view_map(frame, view, beside);
     return compose_figure(make_picture(frame, tree, camera, view, map), make_legend(tree, view, map, font, scale),
                           title, caption, font, scale);
 }

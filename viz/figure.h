@@ -18,16 +18,19 @@ struct MapView {
 /// True where the map that `view` shows compares the rays' hits with exact ones.
 [[nodiscard]] bool needs_oracle(const ViewConfig& view);
 
-/// The map that `view` shows; nothing where it shows none. InputError and `judged` as compute_map; get_colormap.
+/// True where the map that `view` shows is made from the walks of groups of rays.
+[[nodiscard]] bool needs_walks(const ViewConfig& view);
+
+/// The map that `view` shows; nothing where it shows none. InputError and `beside` as compute_map; get_colormap.
 [[nodiscard]] std::optional<MapView> view_map(const Frame& frame, const ViewConfig& view,
-                                              const JudgedLayer* judged = nullptr);
+                                              const BesideFrame& beside = {});
 
 /// The frame's colours, `map` over them, and the tree's splits over both. `camera` is the frame's.
 [[nodiscard]] Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera,
                                         const ViewConfig& view, const std::optional<MapView>& map);
-/// The same with view_map(frame, view, judged).
+/// The same with view_map(frame, view, beside).
 [[nodiscard]] Image<Rgba8> make_picture(const Frame& frame, const KdTree& tree, const Camera& camera,
-                                        const ViewConfig& view, const JudgedLayer* judged = nullptr);
+                                        const ViewConfig& view, const BesideFrame& beside = {});
 
 /// Legends of what `view` shows, below each other; an empty image where there is nothing to explain.
 [[nodiscard]] Image<Rgba8> make_legend(const KdTree& tree, const ViewConfig& view, const std::optional<MapView>& map,
@@ -36,6 +39,6 @@ struct MapView {
 /// Picture, legends, title and caption in one image.
 [[nodiscard]] Image<Rgba8> make_figure(const Frame& frame, const KdTree& tree, const Camera& camera,
                                        const ViewConfig& view, const std::string& title, const std::string& caption,
-                                       const Font& font, int scale = 1, const JudgedLayer* judged = nullptr);
+                                       const Font& font, int scale = 1, const BesideFrame& beside = {});
 
 }  // namespace kd

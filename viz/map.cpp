@@ -20,10 +20,7 @@ const MapInfo& get_map(std::string_view name) {
 }
 
 void check_tile(const MapConfig& config) {
-    const bool sides =
-        config.tile_width >= 1 && config.tile_height >= 1 && config.tile_width <= 1024 && config.tile_height <= 1024;
-    const int lanes = sides ? config.tile_width * config.tile_height : 0;
-    if (lanes >= 4 && lanes <= 1024) return;
+    if (has_valid_tile(config)) return;
     throw InputError(fmt::format("map '{}': tile {}x{}: a tile holds 4 to 1024 pixels; try 8x4", config.map,
                                  config.tile_width, config.tile_height));
 }
@@ -57,9 +54,30 @@ Image<float> evaluate_judged(const Frame& frame, const MapInfo& info, const Judg
     return values;
 }
 
-Image<float> evaluate(const Frame& frame, const MapInfo& info, const MapConfig& config, const JudgedLayer* judged) {
-    if (info.needs_oracle()) return evaluate_judged(frame, info, judged);
+Image<float> evaluate_walks(const Frame& frame, const MapInfo& info, [[maybe_unused]] const MapConfig& config,
+                            const LockstepLayer* walks) {
+    Image<float> values(frame.width, frame.height, std::numeric_limits<float>::quiet_NaN());
+    if (walks == nullptr) return values;
+    assert(walks->steps.width == frame.width && walks->steps.height == frame.height && fits(*walks, config));
+    for (int y = 0; y < values.height; ++y)
+        for (int x = 0; x < values.width; ++x) values.at(x, y) = info.of_walks(*walks, x, y);
+    return values;
+}
+
+Image<float> evaluate(const Frame& frame, const MapInfo& info, const MapConfig& config, const BesideFrame& beside) {
+    if (info.needs_oracle()) return evaluate_judged(frame, info, beside.judged);
+    if (info.needs_walks(config.schedule)) return evaluate_walks(frame, info, config, beside.walks);
     return info.over_tiles() ? info.of_frame(frame, config) : evaluate_pixels(frame, info, config.rays);
+}
+
+void describe(const Frame& frame, const MapInfo& info, const MapConfig& config, const BesideFrame& beside,
+              ScalarMap& map) {
+    if (info.needs_walks(config.schedule)) {
+        if (info.describe_walks != nullptr && beside.walks != nullptr) info.describe_walks(*beside.walks, map);
+    } else if (info.describe != nullptr) {
+        info.describe(frame, config, map);
+    }
+    if (info.describe_judged != nullptr) info.describe_judged(beside.judged ? *beside.judged : JudgedLayer{}, map);
 }
 
 }  // namespace
@@ -67,7 +85,7 @@ Image<float> evaluate(const Frame& frame, const MapInfo& info, const MapConfig& 
 std::span<const MapInfo> maps() {
     static const std::vector<MapInfo> all = [] {
         std::vector<MapInfo> joined;
-        for (const std::span<const MapInfo> family : {pixel_maps(), tile_maps(), oracle_maps()})
+        for (const std::span<const MapInfo> family : {pixel_maps(), tile_maps(), walk_maps(), oracle_maps()})
             joined.insert(joined.end(), family.begin(), family.end());
         return joined;
     }();
@@ -84,9 +102,26 @@ bool needs_oracle(const MapConfig& config) {
     return info != nullptr && info->needs_oracle();
 }
 
-ScalarMap compute_map(const Frame& frame, const MapConfig& config, const JudgedLayer* judged) {
+bool has_valid_tile(const MapConfig& config) {
+    const bool sides =
+        config.tile_width >= 1 && config.tile_height >= 1 && config.tile_width <= 1024 && config.tile_height <= 1024;
+    const int lanes = sides ? config.tile_width * config.tile_height : 0;
+    return lanes >= 4 && lanes <= 1024;
+}
+
+bool needs_walks(const MapConfig& config) {
+    const MapInfo* info = find_map(config.map);
+    return info != nullptr && info->needs_walks(config.schedule);
+}
+
+bool fits(const LockstepLayer& walks, const MapConfig& config) {
+    return walks.rays == config.rays && walks.schedule == config.schedule && walks.tile_width == config.tile_width &&
+           walks.tile_height == config.tile_height;
+}
+
+ScalarMap compute_map(const Frame& frame, const MapConfig& config, const BesideFrame& beside) {
     const MapInfo& info = get_map(config.map);
-    if (info.over_tiles()) check_tile(config);
+    if (info.over_tiles() || info.of_walks != nullptr) check_tile(config);
     if (info.needs_oracle()) check_rays(config);
     ScalarMap map;
     map.title = info.title;
@@ -94,9 +129,8 @@ ScalarMap compute_map(const Frame& frame, const MapConfig& config, const JudgedL
     map.unit = info.unit;
     map.integer = info.integer();
     if (info.kind == MapInfo::Kind::ratio) map.natural_range = ValueRange{0, 1};
-    map.values = evaluate(frame, info, config, judged);
-    if (info.describe != nullptr) info.describe(frame, config, map);
-    if (info.describe_judged != nullptr) info.describe_judged(judged ? *judged : JudgedLayer{}, map);
+    map.values = evaluate(frame, info, config, beside);
+    describe(frame, info, config, beside, map);
     return map;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/trace/upper_bound.h"
 #include "viz/map.h"
 #include "viz/numbers.h"
 
@@ -24,8 +25,8 @@ void add_facts(const JudgedLayer& judged, ScalarMap& map) {
     const std::int64_t wrong = judged.wrong();
     map.facts.push_back({"compared", number_text(n)});
     map.facts.push_back({"wrong", number_text(double(wrong))});
-    // The rule of three: what 95 % of samples with no failure among n rule out.
-    if (wrong == 0 && n > 0) map.facts.push_back({"0 of n means", "< " + number_text(3 / n)});
+    if (wrong == 0 && n > 0)
+        map.facts.push_back({"0 of n means", "< " + number_text(upper_bound_95(0, judged.compared()))});
 }
 
 void name_verdicts(const JudgedLayer& judged, ScalarMap& map) {

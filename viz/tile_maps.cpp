@@ -25,14 +25,33 @@ Image<float> idle(const Frame& frame, const MapConfig& config) {
     return result;
 }
 
-void add_facts(const Frame& frame, const MapConfig& config, ScalarMap& map) {
-    const DivergenceSummary all = summarise_divergence(frame.layer(config.rays), config.tile_width, config.tile_height);
-    map.facts.push_back({"tile", fmt::format("{}×{} = {} lanes", config.tile_width, config.tile_height,
-                                             config.tile_width * config.tile_height)});
-    if (all.tiles == 0) return;
+void add_efficiency(Schedule schedule, int tile_width, int tile_height, const EfficiencySummary& all, ScalarMap& map) {
+    map.facts.push_back({"tile", fmt::format("{}×{} = {} lanes", tile_width, tile_height, tile_width * tile_height)});
+    map.facts.push_back({"schedule", std::string(info(schedule).name)});
+    if (all.groups == 0) return;
     map.facts.push_back({"whole image", fmt::format("{:.3f}", all.weighted)});
+    map.facts.push_back({"mean tile", fmt::format("{:.3f}", all.mean)});
     map.facts.push_back({"median tile", fmt::format("{:.3f}", all.median)});
     map.facts.push_back({"worst 5 %", fmt::format("≤ {:.3f}", all.p5)});
+}
+
+void describe_frame(const Frame& frame, const MapConfig& config, ScalarMap& map) {
+    add_efficiency(config.schedule, config.tile_width, config.tile_height,
+                   summarise_divergence(frame.layer(config.rays), config.tile_width, config.tile_height), map);
+}
+
+void describe_walks(const LockstepLayer& walks, ScalarMap& map) {
+    add_efficiency(walks.schedule, walks.tile_width, walks.tile_height, walks.efficiency(), map);
+}
+
+float walked_efficiency(const LockstepLayer& walks, int x, int y) {
+    return float(walks.group_at(x, y).tally.efficiency(walks.lanes()));
+}
+
+float walked_idle(const LockstepLayer& walks, int x, int y) {
+    const std::int64_t own = walks.steps.at(x, y);
+    if (own < 0) return std::numeric_limits<float>::quiet_NaN();
+    return float(std::int64_t(walks.group_at(x, y).tally.iterations) - own);
 }
 
 constexpr auto table = std::to_array<MapInfo>({
@@ -43,14 +62,20 @@ constexpr auto table = std::to_array<MapInfo>({
      .summary = "If a group of pixels runs in lockstep, the share of its steps that do work: 1 = nobody waits. Dark is "
                 "bad.",
      .of_frame = divergence,
-     .describe = add_facts},
+     .describe = describe_frame,
+     .of_walks = walked_efficiency,
+     .describe_walks = describe_walks,
+     .grouped = true},
     {.name = "idle",
      .title = "idle steps per pixel",
      .unit = "steps",
      .kind = count,
      .summary = "Steps for which a pixel waits until the slowest pixel of its SIMD group is done.",
      .of_frame = idle,
-     .describe = add_facts},
+     .describe = describe_frame,
+     .of_walks = walked_idle,
+     .describe_walks = describe_walks,
+     .grouped = true},
 });
 
 }  // namespace

@@ -113,7 +113,8 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     check_stop(context);
     const auto& [w, h] = std::pair(bench.session.width, bench.session.height);
     bench.camera = pinhole(bench.scene.camera, w, h);
-    bench.rays = count_rays(bench.scene, bench.tree, bench.session.trace, bench.camera, w, h);
+    bench.rays = count_rays(bench.scene, bench.tree, bench.session.trace, bench.camera, w, h, context.stop);
+    check_stop(context);
     return bench;
 }
 

@@ -14,12 +14,16 @@
 #include "app/frame_summary.h"
 #include "app/help_format.h"
 #include "app/idle_options.h"
+#include "app/needs_report.h"
 #include "app/output_file.h"
+#include "app/ray_choices.h"
 #include "app/rendering.h"
 #include "app/typed_options.h"
+#include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
 #include "renderer/measure/ray_count.h"
+#include "renderer/trace/upper_bound.h"
 #include "viz/colormap.h"
 #include "viz/unfinished.h"
 
@@ -32,18 +36,13 @@ struct RenderOptions : CommonOptions {
     std::optional<std::string> map;
     bool see_through = false;
     bool no_legend = false;
+    bool needs = false;
+    int rounds = 11;  // of the timings that --needs makes
 };
-
-/// Of its rays, as --rays takes it: "reflection-shadow".
-std::string option_name(Pass pass) {
-    std::string name(ray_names[std::size_t(pass)]);
-    std::ranges::replace(name, ' ', '-');
-    return name;
-}
 
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
-Json json_of(const Rendering& r) {
+Json json_of(const Rendering& r, const std::optional<NeedsReport>& needs) {
     const PinholeCamera camera = pinhole(r.scene.camera, r.session.width, r.session.height);
     const RayCounts rays = count_rays(r.scene, r.tree, r.session.trace, camera, r.session.width, r.session.height);
     return summary_json({.session = r.session,
@@ -56,7 +55,8 @@ Json json_of(const Rendering& r) {
                          .software_gl = r.software_gl,
                          .clock = r.clock,
                          .left_out = r.left_out,
-                         .judged = r.judged ? &*r.judged : nullptr},
+                         .judged = r.judged ? &*r.judged : nullptr,
+                         .needs = needs ? std::optional(json_of(*needs)) : std::nullopt},
                         rays);
 }
 
@@ -66,7 +66,7 @@ std::string verdict_text(const JudgedLayer& judged) {
         fmt::format("{} wrong of {} {} rays", judged.wrong(), judged.compared(), ray_names[std::size_t(judged.rays)]);
     text += wrong_text(judged.counts);
     if (judged.wrong() == 0 && judged.compared() > 0)
-        text += fmt::format("; 0 of n means below 3/n = {:.2g}", 3 / double(judged.compared()));
+        text += fmt::format("; 0 of n means below 3/n = {:.2g}", upper_bound_95(0, judged.compared()));
     return text;
 }
 
@@ -77,7 +77,7 @@ void print(std::ostream& out, const Rendering& r) {
     out << fmt::format("tree      {}: {}, {} {}, SAH cost {:.2f}, built in {:.1f} ms\n", s.build.builder,
                        counted(r.stats.nodes, "node"), r.stats.leaves, r.stats.leaves == 1 ? "leaf" : "leaves",
                        r.stats.sah_cost, 1e3 * r.build.seconds);
-    for (const std::string& part : r.left_out) out << "left out  " << part << '\n';
+    out << fmt::format("left out  {}; --needs tells why\n", counted(r.left_out.size(), "feature"));
     out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
                        name_of(s.tracer), r.time.total_ms, r.clock);
     for (std::size_t pass = 0; pass < pass_count; ++pass)
@@ -91,12 +91,20 @@ void print(std::ostream& out, const Rendering& r) {
     if (r.judged) out << "oracle    " << verdict_text(*r.judged) << '\n';
 }
 
+std::string no_groups(const MapInfo& map) {
+    return fmt::format("the map '{}' looks at single pixels; --map divergence and idle look at groups", map.name);
+}
+
 /// Options of maps and splits need one, and some maps take none of them.
 void check_uses(const CLI::App& app, const RenderOptions& o, const Session& session, const CommandContext& context) {
+    const std::string no_picture = "no picture is written; add -o FILE";
+    for (const char* option : {"--map", "--overlay", "--no-legend"})
+        refuse_idle(app, {{option, !o.output.empty(), no_picture}});
+    refuse_idle(app, {{"--rounds", o.needs, "only --needs times anything; bench times frames"}});
     const ViewConfig& view = session.view;
     const MapInfo* map = view.show_map ? find_map(view.map.map) : nullptr;
     const std::string no_map = "no map is drawn; add --map NAME";
-    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile"})
+    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile", "--schedule"})
         refuse_idle(app, {{option, map != nullptr, no_map}});
     const std::string no_splits = "no splits are drawn; add --overlay";
     refuse_idle(app,
@@ -111,10 +119,8 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
                                        map->name)},
                           {"--range", numbers, categories},
                           {"--colormap", numbers, categories},
-                          {"--tile", map->over_tiles(),
-                           fmt::format("the map '{}' looks at single pixels; --map "
-                                       "divergence and idle look at groups",
-                                       map->name)}});
+                          {"--tile", map->over_tiles(), no_groups(*map)},
+                          {"--schedule", map->over_tiles(), no_groups(*map)}});
     }
     const bool shadow = view.map.rays == Pass::shade_prim || view.map.rays == Pass::shade_refl;
     const bool reflection = view.map.rays == Pass::rt_refl || view.map.rays == Pass::shade_refl;
@@ -141,6 +147,9 @@ int run(const CLI::App& app, const RenderOptions& options, CommandContext& conte
     view.show_map = options.map.has_value();
     if (options.map) view.map.map = *options.map;
     view.overlay.hidden_line = !options.see_through;
+    if (options.output.empty() && !options.needs)
+        throw InputError(
+            "--output is required: -o FILE.png, or --needs for the list alone (see kdscope render --help)");
     check_uses(app, options, session, context);
     check(options, session);
 
@@ -149,14 +158,21 @@ int run(const CLI::App& app, const RenderOptions& options, CommandContext& conte
     const auto wrote = [&](const std::string& path, const std::string& what = "") {
         context.out << "wrote     " << path << what << '\n';
     };
-    write_picture(options.output, rendering, view, !options.no_legend, picture_font());
-    wrote(options.output);
+    std::optional<NeedsReport> needs;
+    if (options.needs) {
+        needs = needs_report(rendering, gl_choices(options, session), options.rounds, context);
+        print(context.out, *needs);
+    }
+    if (!options.output.empty()) {
+        write_picture(options.output, rendering, view, !options.no_legend, picture_font());
+        wrote(options.output);
+    }
     if (!options.csv.empty()) {
         write_file(options.csv, frame_csv(rendering.frame));
         wrote(options.csv, fmt::format(" ({})", counted(rendering.frame.colour.pixels.size(), "row")));
     }
     if (!options.json.empty()) {
-        write_file(options.json, json_text(json_of(rendering)));
+        write_file(options.json, json_text(json_of(rendering, needs)));
         wrote(options.json);
     }
     if (!options.exr.empty()) {
@@ -196,19 +212,20 @@ void add_range(CLI::App& app, HeatmapConfig& heat) {
 void add_map_options(CLI::App& app, RenderOptions& o) {
     ViewConfig& view = o.session.view;
     view.heat.opacity = 1.0f;
-    std::vector<NamedValue<Pass>> rays;
-    for (int pass = 0; pass < pass_count; ++pass) rays.push_back({option_name(Pass(pass)), Pass(pass)});
     add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
-    add_choice(app, "--rays", view.map.rays, rays, "Whose numbers [primary]")->group("Map");
+    add_choice(app, "--rays", view.map.rays, ray_choices(), "Whose numbers [primary]")->group("Map");
     add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
     app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
     add_range(app, view.heat);
     add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")
         ->group("Map");
     add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, 1, 1024,
-             fmt::format("Pixels that run in lockstep, for divergence and idle [{}x{}]", view.map.tile_width,
+             fmt::format("Pixels that run in lockstep, for maps of groups [{}x{}]", view.map.tile_width,
                          view.map.tile_height));
     app.get_option("--tile")->group("Map");
+    std::vector<NamedValue<Schedule>> loops;
+    for (const ScheduleInfo& schedule : schedules()) loops.push_back({std::string(schedule.name), schedule.id});
+    add_choice(app, "--schedule", view.map.schedule, loops, "How groups share their steps [lockstep]")->group("Map");
     app.add_flag("--overlay", view.overlay.show, "Draws the tree's splits over the image")->group("Overlay");
     add_number<int>(app, "--overlay-depth", view.overlay.max_depth, 0, max_tree_depth,
                     fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
@@ -223,11 +240,14 @@ CommandBody declare(CLI::App& app) {
     const auto file = [&](const char* flag, std::string& path, const char* text) {
         return app.add_option(flag, path, text)->type_name("FILE");
     };
-    file("-o,--output", o.output, "Picture to write, .png")->required();
+    file("-o,--output", o.output, "Picture to write, .png");
     file("--csv", o.csv, "Also a table of every pixel's hit and counters");
     file("--json", o.json, "Also settings, tree, times and counter totals");
     file("--exr", o.exr, "Also every counter as a float channel");
     app.add_flag("--no-legend", o.no_legend, "The bare picture, without legend and caption");
+    app.add_flag("--needs", o.needs, "Lists what scene and settings need and what is left out, with what that saves");
+    add_number<int>(app, "--rounds", o.rounds, 0, 10000,
+                    fmt::format("Frames of each feature that --needs times; 0: none [{}]", o.rounds));
     add_map_options(app, o);
     add_frame_options(app, o);
     app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
@@ -253,7 +273,9 @@ Command render_command() {
                 "  kdscope render rooms -o rooms.png --map triangles --rays shadow --log --size 800x600\n"
                 "  kdscope render model.glb -o splits.png --overlay --overlay-depth 8 --json splits.json\n"
                 "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n"
-                "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n",
+                "  kdscope render rooms -o idle.png --map idle --schedule while-while --traversal restart\n"
+                "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n"
+                "  kdscope render cornell --needs --rounds 15 --tracer gl-fragment\n",
             declare};
 }
 

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/commands/commands.h"
+#include "app/commands/stats_divergence.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/progress_line.h"
@@ -19,6 +20,7 @@ namespace {
 struct StatsOptions : CommonOptions {
     bool every_builder = false;
     bool json = false;
+    DivergenceOptions divergence;
 };
 
 /// One tree of one scene.
@@ -149,8 +151,29 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }
 
+/// What --divergence and --ballot do not read, and what only they do.
+void check_uses(const CLI::App& app, bool divergence, bool ballot) {
+    const std::string alone = "cannot be given with --divergence; ask for one of them";
+    const std::string no_trees = "--divergence and --ballot walk one tree; leave one of them out";
+    const std::string no_walks = "the tables about the tree walk no rays; add --divergence or --ballot";
+    const bool walks = divergence || ballot;
+    refuse_idle(app, {{"--ballot", !divergence, alone},
+                      {"--builders", !walks, no_trees},
+                      {"--rays", walks, no_walks},
+                      {"--csv", walks, no_walks},
+                      {"--svg", divergence, "only --divergence has a curve to draw; add it"},
+                      {"--tile", divergence, "only --divergence has groups to choose; add it"}});
+    for (const char* camera : {"--eye", "--target", "--up", "--fov", "--camera"})
+        if (app.get_option_no_throw(camera)) refuse_idle(app, {{camera, walks, no_walks}});
+}
+
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
+    const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
+    check_uses(app, divergence, ballot);
+    if (ballot) return run_ballots(options, options.divergence, options.json, context);
+    if (divergence) return run_divergence(options, options.divergence, options.json, context);
     refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
     ProgressLine progress(context);
@@ -192,7 +215,9 @@ CommandBody declare(CLI::App& app) {
     add_scenes(app, *options);
     app.add_flag("--builders", options->every_builder, "All builders side by side");
     app.add_flag("--json", options->json, "JSON instead of a table");
+    add_divergence_options(app, options->divergence);
     add_frame_options(app, *options);
+    add_camera_options(app, *options);
     hide_options(app, {"--tracer", "--early-z"});
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
@@ -200,10 +225,12 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command stats_command() {
-    return {"stats", "Tables about a scene's kd-tree: nodes, leaves, cost, memory",
+    return {"stats", "Tables about a scene's kd-tree and about groups of rays in it",
             "Examples:\n"
             "  kdscope stats ball:9000 rooms\n"
-            "  kdscope stats scatter:10000 --builders --json\n",
+            "  kdscope stats scatter:10000 --builders --json\n"
+            "  kdscope stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg\n"
+            "  kdscope stats ball:9000 --ballot --size 128x128\n",
             declare};
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/commands/commands.h"
+#include "app/commands/verify_needs.h"
 #include "app/counted.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
@@ -22,6 +23,7 @@ namespace {
 struct VerifyOptions : CommonOptions {
     VerifyConfig config;
     bool json = false;
+    bool needs = false;
 };
 
 /// What the options leave of all that could be checked.
@@ -91,8 +93,24 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
 }
 
+/// What checks rays and what checks frames take different options.
+void check_uses(const CLI::App& app, const VerifyOptions& options) {
+    const std::string rays = "--needs traces frames, not single rays; leave it out";
+    for (const char* option : {"--rays", "--every-pixel-limit", "--adversarial"})
+        refuse_idle(app, {{option, !options.needs, rays}});
+    const std::string frames = "single rays are traced; only --needs traces frames with their shading";
+    for (const char* option :
+         {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution", "--force"})
+        refuse_idle(app, {{option, options.needs, frames}});
+    for (const char* option : {"--early-z", "--force"})
+        refuse_idle(app,
+                    {{option, !options.needs, "--needs puts features back itself, and culls as usual; leave it out"}});
+}
+
 int run(const CLI::App& app, const VerifyOptions& options, CommandContext& context) {
-    note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
+    check_uses(app, options);
+    if (options.needs) return verify_needs(options, options.json, context);
+    note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
     require_context(options, true);
     bool passed = true;
     Json json = Json::array();
@@ -126,6 +144,8 @@ CommandBody declare(CLI::App& app) {
     constexpr int most_rays = 1 << 24;
     add_scenes(app, *options);
     app.add_flag("--json", options->json, "JSON instead of a table");
+    app.add_flag("--needs", options->needs,
+                 "Checks instead that a frame stays the same with each feature put back that it does without");
     add_number<int>(
         app, "--rays", config.stratified_rays, 1, most_rays,
         fmt::format("Pixel rays where there are too many triangles for every pixel's [{}]", config.stratified_rays));
@@ -138,6 +158,7 @@ CommandBody declare(CLI::App& app) {
     add_machine_options(app, *options);
     const ShownDefaults everything{"all", "all", "all", "osmesa and egl"};
     add_tracing_options(app, *options, everything);
+    add_shading_options(app, *options);
     add_tree_options(app, *options, everything);
     add_camera_options(app, *options);
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
@@ -153,7 +174,8 @@ Command verify_command() {
         "must equal the CPU's. Exit code 1 where anything differs.\n\n"
         "Examples:\n"
         "  kdscope verify ball:9000 rooms scatter:10000\n"
-        "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n",
+        "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n"
+        "  kdscope verify --needs cornell model.glb\n",
         declare};
 }
 

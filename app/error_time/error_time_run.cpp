@@ -185,7 +185,7 @@ class Run {
     }
 
     [[nodiscard]] double probe_reference(const ImageTask& task) const {
-        const SceneNeeds needs = scene_needs(task.scene, task.config);
+        const SceneNeeds needs = scene_needs(task.scene, KdTree{}, task.config);
         return wall_ms([&] {
             (void)double_frame(task.scene, pinhole(task.scene.camera, probe_side, probe_side), probe_side, probe_side,
                                needs.bounces, task.config.least_contribution, task.threads, stop_, &task.boxes);
@@ -229,7 +229,7 @@ class Run {
 
     template <class LeaveOut>
     static void note_rays(const OpenedScene& opened, const SceneErrorTime& result, const LeaveOut& leave_out) {
-        const SceneNeeds needs = scene_needs(opened.scene, opened.session.trace);
+        const SceneNeeds needs = scene_needs(opened.scene, KdTree{}, opened.session.trace);
         const RayCounts& rays = result.trees->rays;
         if (!needs.reflections)
             leave_out(ErrorReport::p3, "reflection rays: no surface is reflective");

@@ -119,6 +119,8 @@ bool carry_out(Action action, const Edit& edit, Engine& engine) {
         case Action::run_paper: engine.run_paper(false); return true;
         case Action::run_paper_quick: engine.run_paper(true); return true;
         case Action::cancel_paper: engine.cancel_paper(); return true;
+        case Action::measure_needs: engine.measure_needs(); return true;
+        case Action::cancel_needs: engine.cancel_needs(); return true;
         case Action::sample_picture: engine.sample_picture(edit.window.error_time.sampler); return true;
         case Action::stop_sampling: engine.stop_sampling(); return true;
         default: return false;

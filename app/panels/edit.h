@@ -55,6 +55,7 @@ struct WindowSettings {
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
     bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
+    std::string scene_text;                 // typed into SCENE, not opened yet
     std::string folder = ".";               // of exported files; "~" stands for the home folder
     float fly_speed = 1;                    // times the scene's size per 4 seconds
     std::vector<std::string> recent_files;  // scenes opened from files, newest first
@@ -82,6 +83,8 @@ enum class Action {
     run_paper,        // of PAPER
     run_paper_quick,  // small pictures, few rounds
     cancel_paper,
+    measure_needs,  // of NEEDS
+    cancel_needs,
     sample_picture,  // of ERROR
     stop_sampling,
 };
@@ -98,6 +101,9 @@ struct Edit {
 };
 
 inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
+
+/// The bottom panel that has efficiency against width measured while it is shown.
+inline constexpr const char* divergence_panel = "DIVERGENCE";
 
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);

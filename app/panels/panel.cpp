@@ -11,7 +11,9 @@ void draw_pixel_panel(const EngineState& state, Edit& edit);
 void draw_export_panel(const EngineState& state, Edit& edit);
 void draw_time_panel(const EngineState& state, Edit& edit);
 void draw_stability_panel(const EngineState& state, Edit& edit);
+void draw_divergence_panel(const EngineState& state, Edit& edit);
 void draw_paper_panel(const EngineState& state, Edit& edit);
+void draw_needs_panel(const EngineState& state, Edit& edit);
 void draw_error_time_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
@@ -22,10 +24,17 @@ std::span<const Panel> panels() {
         {"VIEW", PanelPlace::left, 0, draw_view_panel},
         {"PIXEL", PanelPlace::right, 0, draw_pixel_panel},
         {"EXPORT", PanelPlace::right, 0, draw_export_panel},
-        {"TIME", PanelPlace::bottom, 0, draw_time_panel},
-        {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel, true},
-        {"PAPER", PanelPlace::bottom, 0, draw_paper_panel, true},
-        {"ERROR", PanelPlace::bottom, 0, draw_error_time_panel, true},
+        {"TIME", PanelPlace::bottom, 0, draw_time_panel, false, "The same frame by CPU and GPU in turn."},
+        {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel, true,
+         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."},
+        {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel, true,
+         "What groups of 4 to 1024 pixels lose in lockstep. Key Shift D."},
+        {"PAPER", PanelPlace::bottom, 0, draw_paper_panel, true,
+         "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y."},
+        {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel, true,
+         "What the scene needs, what is left out, and what that saves. Key X."},
+        {"ERROR", PanelPlace::bottom, 0, draw_error_time_panel, true,
+         "Error against time while the picture is sampled, and the configurations tried so far. Key E."},
     };
     return table;
 }

@@ -15,7 +15,8 @@ struct Panel {
     PanelPlace place;
     float open_from;  // open at first where the window is at least this high, in pixels at scale 1
     void (*draw)(const EngineState&, Edit&);
-    bool tall = false;  // wants more height than the usual bottom
+    bool tall = false;      // wants more height than the usual bottom
+    const char* hint = "";  // of a bottom panel's tab
 };
 
 [[nodiscard]] std::span<const Panel> panels();

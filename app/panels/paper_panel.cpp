@@ -52,6 +52,7 @@ std::string tally(const std::vector<PaperClaim>& claims, PaperVerdict verdict) {
 
 /// What there is to look at: the verdicts, and each figure.
 void draw_list(const PaperReport& report, PaperView& view) {
+    if (view.figure.empty() && !report.figures.empty()) view.figure = report.figures.front().name;
     if (ImGui::Selectable("Verdicts", view.verdicts)) view.verdicts = true;
     Places::note("Verdicts");
     for (const PaperVerdict verdict : {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided})

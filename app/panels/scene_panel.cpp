@@ -1,7 +1,12 @@
 // SCENE: what is in it, and what loading had to change.
 #include <fmt/format.h>
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
 
 #include "app/panels/panel.h"
+#include "app/window/home_path.h"
+#include "app/window/places.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/scene/units.h"
@@ -21,6 +26,20 @@ bool takes_seed(const std::string& scene) {
     return procedural && procedural->seeded;
 }
 
+/// A field for any scene there is: names with their sizes, files by their paths.
+void draw_open(Edit& edit) {
+    ImGui::SetNextItemWidth(-1);
+    const bool entered = ImGui::InputTextWithHint("##open", "open: scatter:5000, ~/model.glb", &edit.window.scene_text,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    Places::note("open");
+    widgets::hint(
+        "Enter opens a scene by its name and number of triangles, such as ball:20000 or stress:T16=1e-4, or a "
+        ".gltf or .glb file by its path.");
+    if (!entered || edit.window.scene_text.empty()) return;
+    edits::choose_scene(edit, home_long(edit.window.scene_text).string());
+    edit.window.scene_text.clear();
+}
+
 }  // namespace
 
 void draw_scene_panel(const EngineState& state, Edit& edit) {
@@ -28,6 +47,7 @@ void draw_scene_panel(const EngineState& state, Edit& edit) {
         widgets::note("loading");
         return;
     }
+    draw_open(edit);
     const FlatScene& scene = state.world->scene();
     widgets::value("triangles", number_text(double(scene.triangles.size())), "After placing all meshes in the world.");
     widgets::value("lights", number_text(double(scene.lights.size())), "Each light costs one shadow ray per hit.");

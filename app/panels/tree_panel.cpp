@@ -28,6 +28,11 @@ void draw_constants(BuildConfig& b) {
                     "space. Option --empty-bonus.");
     widgets::slider("leaf size", b.leaf_size, 1, 32, "%d",
                     "Nodes with at most this many triangles are not split further. Option --leaf-size.");
+    const Builder* builder = find_builder(b.builder);
+    if (builder && builder->has_bins)
+        widgets::slider("bins", b.bins, fewest_bins, most_bins, "%d",
+                        "Planes are tried between so many bins on each axis; nodes with no more triangles than bins "
+                        "are swept exactly. More make better trees. Option --bins.");
 }
 
 void draw_more_constants(BuildConfig& b, const EngineState& state) {

@@ -7,6 +7,7 @@
 #include "app/window/widgets.h"
 #include "renderer/io/tables.h"
 #include "renderer/measure/oracle.h"
+#include "renderer/trace/upper_bound.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -75,10 +76,10 @@ void draw_wrong_pixels(const EngineState& state, Edit& edit) {
     std::string text = none;
     if (judged) text = fmt::format("{} of {}", number_text(double(wrong)), number_text(n));
     if (state.judging.active) text = fmt::format("comparing {:.0f} %", 100 * state.judging.fraction);
-    const std::string bound =
-        wrong == 0 && n > 0
-            ? fmt::format(" 0 of n means: with 95 % certainty below 3/n = {} of such rays.", number_text(3 / n))
-            : "";
+    const std::string bound = wrong == 0 && n > 0
+                                  ? fmt::format(" 0 of n means: with 95 % certainty below 3/n = {} of such rays.",
+                                                number_text(upper_bound_95(0, judged->compared())))
+                                  : "";
     widgets::value("wrong pixels", text, "Of all that have such a ray." + bound, wrong > 0 ? theme::error : 0);
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     if (widgets::button("previous", "Pins the wrong pixel before the pinned one. Key Shift W.", wrong > 0, half))

@@ -59,10 +59,20 @@ void draw_range(const EngineState& state, Edit& edit) {
     if (!(heat.range_max > heat.range_min)) heat.range_max = std::nextafter(heat.range_min, INFINITY);
 }
 
-void draw_tiles(MapConfig& map) {
+void draw_tiles(Edit& edit) {
+    MapConfig& map = edit.session.view.map;
     widgets::slider("group width", map.tile_width, 1, 64, "%d px", "Pixels side by side that run in lockstep.");
     widgets::slider("group height", map.tile_height, 1, 64, "%d px",
                     "Pixels below each other that run in lockstep. 8 × 4 is a warp of 32.");
+    std::vector<widgets::Option> loops;
+    for (const ScheduleInfo& schedule : schedules())
+        loops.push_back({std::string(schedule.name), std::string(schedule.summary)});
+    int schedule = int(map.schedule);
+    if (widgets::choice("schedule", schedule, loops, "How a group shares its steps. Option --schedule."))
+        map.schedule = Schedule(schedule);
+    if (widgets::button("efficiency against width",
+                        "At the bottom: what wider and wider groups lose. Again: times. Key Shift D."))
+        edits::switch_bottom(edit, divergence_panel);
     // A group has 4 to 1024 lanes.
     map.tile_height =
         std::clamp(map.tile_height, (3 + map.tile_width) / map.tile_width, std::max(1, 1024 / map.tile_width));
@@ -119,7 +129,7 @@ void draw_view_panel(const EngineState& state, Edit& edit) {
     draw_range(state, edit);
     draw_split_depth(view.overlay);
     const MapInfo* map = find_map(view.map.map);
-    if (map && map->over_tiles()) draw_tiles(view.map);
+    if (map && map->over_tiles()) draw_tiles(edit);
     draw_colours(edit);
     draw_split_lines(view.overlay);
 }

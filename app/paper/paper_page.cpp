@@ -20,14 +20,16 @@ p.lead { color: #555; margin-top: 0; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.82rem; width: 100%; }
 th, td { text-align: left; padding: 0.25rem 0.5rem; border-bottom: 1px solid #ddd; vertical-align: top; }
-th { color: #555; font-weight: 600; } td.n { font-variant-numeric: tabular-nums; }
+th { color: #555; font-weight: 600; } td { font-variant-numeric: tabular-nums; }
 .verdict { font-weight: 600; white-space: nowrap; }
 .reproduced { color: #00664b; } .not-reproduced { color: #a34700; } .undecided { color: #555; }
 figure { margin: 1rem 0; break-inside: avoid; } figure img { width: 100%; height: auto; border: 1px solid #eee; }
 figcaption { font-size: 0.9rem; color: #444; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1rem; }
+.pictures figure { display: inline-block; width: 31%; margin: 0 1.5% 1rem 0; vertical-align: top; }
 .pictures img { image-rendering: pixelated; }
-@media print { body { max-width: none; margin: 0; font-size: 11px; } .scroll { overflow: visible; } a { color: inherit; } }
+.claims td { padding: 0.45rem 0.6rem; } small { display: block; color: #666; font-size: 0.74rem; font-weight: 400; white-space: normal; }
+@page { size: A4 landscape; margin: 12mm; }
+@media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
 )";
 
 std::string escaped(const std::string& text) {
@@ -48,7 +50,9 @@ std::string style_class(std::string verdict) {
     return verdict;
 }
 
-/// The first `columns` of a table, with a link to the file that holds all of it. A column of verdicts is coloured.
+std::string file_link(const std::string& name) { return fmt::format("<p><a href=\"{0}.csv\">{0}.csv</a></p>\n", name); }
+
+/// The first `columns` of a table, with a link to the file that holds all of it.
 std::string table_html(const PaperTable& table, std::size_t columns) {
     std::string html = "<div class=\"scroll\"><table>\n<tr>";
     columns = std::min(columns, table.header.size());
@@ -56,13 +60,26 @@ std::string table_html(const PaperTable& table, std::size_t columns) {
     html += "</tr>\n";
     for (const std::vector<std::string>& row : table.rows) {
         html += "<tr>";
-        for (std::size_t i = 0; i < columns; ++i)
-            html += table.header[i] == "verdict"
-                        ? fmt::format("<td class=\"verdict {}\">{}</td>", style_class(row[i]), escaped(row[i]))
-                        : fmt::format("<td class=\"n\">{}</td>", escaped(row[i]));
+        for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<td>{}</td>", escaped(row[i]));
         html += "</tr>\n";
     }
-    return html + fmt::format("</table></div>\n<p><a href=\"{0}.csv\">{0}.csv</a></p>\n", table.name);
+    return html + "</table></div>\n" + file_link(table.name);
+}
+
+/// A row per claim: what it says and where, our number and what it is, what is accepted, the verdict and why.
+std::string verdicts_html(const std::vector<PaperClaim>& claims) {
+    std::string html =
+        "<div class=\"scroll\"><table class=\"claims\">\n<tr><th></th><th>the paper says</th><th>our number, 95 % "
+        "interval</th><th>accepted</th><th>verdict</th></tr>\n";
+    for (const PaperClaim& c : claims) {
+        const std::string verdict(name_of(c.verdict));
+        html += fmt::format("<tr><td>{}</td><td>{}<small>{}</small></td><td>{}<small>{}</small></td><td>{}</td>"
+                            "<td class=\"verdict {}\">{}<small>{}</small></td></tr>\n",
+                            escaped(c.id), escaped(c.claim), escaped(c.where), escaped(interval_text(c.value)),
+                            escaped(c.measure), c.measure == "–" ? "–" : c.accepted.text(), style_class(verdict),
+                            verdict, escaped(c.reason));
+    }
+    return html + "</table></div>\n" + file_link("verdicts");
 }
 
 std::string figure_html(const PaperFigure& figure, bool drawn) {
@@ -122,17 +139,18 @@ std::string paper_page(const PaperResults& results, const std::vector<PaperClaim
         paragraph("A claim is reproduced where the whole interval of our number is accepted, not reproduced where none "
                   "of it is, and undecided otherwise. Where the paper prints a factor, what lies nearer to it than to "
                   "half or twice of it is accepted.");
-    html += table_html(verdict_table(claims), 8);
+    html += verdicts_html(claims);
     html += heading("Figures");
     if (!drawn) html += paragraph(no_gnuplot_text);
     for (const PaperFigure& figure : figures) html += figure_html(figure, drawn);
     if (!results.pictures.empty()) {
         html += heading("Unfinished pixels");
-        html += paragraph("Why each primary ray ended, under a ceiling of steps: what was given up stands out.");
+        html += paragraph("How each primary ray ended under a ceiling of steps: orange was given up, blue hit "
+                          "something, dark nothing.");
         html += pictures_html(results);
         html += table_html(budget_table(results), 6);
     }
-    html += heading("Times") + table_html(time_table(results), 99);
+    html += heading("Times") + table_html(time_table(results), 13);
     html += heading("Counts") + table_html(count_table(results), 99);
     html += heading("How this was measured");
     html +=

@@ -20,7 +20,6 @@ constexpr std::array<const char*, 6> limited_scenes{"ball:1000", "ball:2000",   
                                                     "ball:9000", "scatter:2000", "scatter:10000"};
 constexpr std::array<const char*, 3> pictured_scenes{"ball:2000", "ball:9000", "scatter:10000"};
 constexpr std::array<const char*, 2> node_size_scenes{"ball:9000", "scatter:10000"};
-constexpr double naive_limit_ms = 3000;  // of a frame: what is affordable in turn with the others
 
 /// Tracers of one scene, and the method each of its contestants stands for.
 struct Stage {
@@ -131,6 +130,9 @@ class PaperRun {
         }
     }
 
+    /// Of a frame: what is affordable in turn with the others.
+    [[nodiscard]] double naive_limit_ms() const { return std::max(200.0, 10 * config_.budget_s); }
+
     void note_once(const std::string& note) {
         if (std::ranges::find(results_.notes, note) == results_.notes.end()) results_.notes.push_back(note);
     }
@@ -140,7 +142,7 @@ class PaperRun {
         const int width = std::max(1, results_.width / 8), height = std::max(1, results_.height / 8);
         const PinholeCamera camera = pinhole(stage.world->scene.camera, width, height);
         const double small = stage.cpu->trace(config, camera, width, height, stop_).total_ms;
-        return 64 * small <= naive_limit_ms;
+        return 64 * small <= naive_limit_ms();
     }
 
     void add_contestants(PaperScene& scene, Stage& stage) {
@@ -154,8 +156,8 @@ class PaperRun {
             trace.traversal = method.traversal;
             trace.counters = false;
             if (method.id == PaperMethod::naive && !affordable(stage, trace)) {
-                note_once(fmt::format("CPU naive is left out where a frame of it would take longer than {:.0f} s",
-                                      1e-3 * naive_limit_ms));
+                note_once(fmt::format("CPU naive is left out where a frame of it would take longer than {:.0f} ms",
+                                      naive_limit_ms()));
                 continue;
             }
             prepare(scene, stage, method, *tracer, trace);

@@ -71,15 +71,18 @@ PaperTable time_table(const PaperResults& results) {
         for (const PaperTimes& times : scene.times) {
             const TimeSummary time = times.timed.total();
             if (time.samples == 0) continue;
-            std::vector<std::string> row{scene.name,
-                                         std::string(info(times.method).name),
-                                         ms_text(time.median_ms),
-                                         ms_text(time.p25_ms),
-                                         ms_text(time.p75_ms),
-                                         fmt::format("{}", time.samples),
-                                         ratio_text(ratio_interval(times.timed.ms(), scene.ms(PaperMethod::cpurt))),
-                                         fmt::format("{:.2f}", 1e3 / time.median_ms),
-                                         fmt::format("{:.2f}", 1e-3 * double(scene.ray_sum()) / time.median_ms)};
+            std::vector<std::string> row{
+                scene.name,
+                std::string(info(times.method).name),
+                ms_text(time.median_ms),
+                ms_text(time.p25_ms),
+                ms_text(time.p75_ms),
+                fmt::format("{}", time.samples),
+                times.method == PaperMethod::cpurt
+                    ? ""
+                    : ratio_text(ratio_interval(times.timed.ms(), scene.ms(PaperMethod::cpurt))),
+                fmt::format("{:.2f}", 1e3 / time.median_ms),
+                fmt::format("{:.2f}", 1e-3 * double(scene.ray_sum()) / time.median_ms)};
             for (std::size_t p = 0; p < pass_count; ++p) {
                 const TimeSummary pass = times.timed.pass(p);
                 row.push_back(pass.samples > 0 ? ms_text(pass.median_ms) : "");

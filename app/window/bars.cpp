@@ -1,11 +1,13 @@
 #include "app/window/bars.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "app/assets.h"
 #include "app/machine_info.h"
+#include "app/panels/panel.h"
 #include "app/window/places.h"
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
@@ -78,20 +80,6 @@ void draw_modes(Edit& edit) {
     ImGui::SameLine(0, theme::px(12));
     if (widgets::segment("Splits", view.overlay.show, "The tree's split planes over the picture. Key S."))
         edit.session.view.overlay.show = !view.overlay.show;
-    ImGui::SameLine(0, theme::px(12));
-    if (widgets::segment("Stability", edit.window.panels && edit.window.bottom == "STABILITY",
-                         "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."))
-        edits::switch_bottom(edit, "STABILITY");
-    ImGui::SameLine(0, 1);
-    if (widgets::segment("Paper", edit.window.panels && edit.window.bottom == "PAPER",
-                         "The paper's experiments made again: its figures as they are measured, a verdict on each "
-                         "claim. Key Shift Y."))
-        edits::switch_bottom(edit, "PAPER");
-    ImGui::SameLine(0, 1);
-    if (widgets::segment(
-            "Error", edit.window.panels && edit.window.bottom == "ERROR",
-            "Error against time while the picture is sampled, and the configurations tried so far. Key E."))
-        edits::switch_bottom(edit, "ERROR");
 }
 
 std::string machines_text(const EngineState& state) {
@@ -137,13 +125,22 @@ std::string status_text(const EngineState& state, const WindowSettings& window) 
                        number_text(state.last_build_ms), flight);
 }
 
+/// Shaders being compiled; the picture before them stays meanwhile.
+void draw_compiling(const EngineState& state) {
+    if (state.compiling == 0) return;
+    ImGui::SameLine(0, theme::px(16));
+    ImGui::TextUnformatted(fmt::format("compiling shaders ({})", state.compiling).c_str());
+    Places::note("compiling");
+}
+
 /// The bar of the work that takes longest now.
 void draw_work(const EngineState& state, Edit& edit) {
     const bool building = state.building.active;
     const bool tracing = state.tracing.active;
     if (!building && !tracing && !state.judging.active) return;
     const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
-    const char* name = building ? "building" : tracing ? "refining" : "comparing";
+    const char* beside = needs_walks(state.session.view) ? "walking" : "comparing";
+    const char* name = building ? "building" : tracing ? "refining" : beside;
     ImGui::SameLine(0, theme::px(16));
     ImGui::SetNextItemWidth(theme::px(150));
     ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
@@ -187,6 +184,23 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
     ImGui::End();
 }
 
+void draw_bottom_tabs(Edit& edit) {
+    const Section section("bottom");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, ImGui::GetStyle().ItemSpacing.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme::px(8), 0});
+    for (const Panel& panel : panels()) {
+        if (panel.place != PanelPlace::bottom) continue;
+        std::string name = panel.title;
+        std::transform(name.begin() + 1, name.end(), name.begin() + 1,
+                       [](unsigned char c) { return char(std::tolower(c)); });
+        if (widgets::segment(name.c_str(), edit.window.bottom == panel.title, panel.hint))
+            edit.window.bottom = panel.title;
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ImGui::PopStyleVar(2);
+}
+
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit) {
     const Section section("status");
     begin_area("##status", area, {theme::px(12), std::round((area.height - ImGui::GetTextLineHeight()) / 2)},
@@ -195,6 +209,7 @@ void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edi
     ImGui::TextUnformatted(status_text(state, edit.window).c_str());
     ImGui::PopStyleColor();
     draw_work(state, edit);
+    draw_compiling(state);
     const char* hint = "H heat   S splits   T traversal   click: pin a pixel   F1 all keys, text size";
     const float width = ImGui::CalcTextSize(hint).x;
     ImGui::SameLine();

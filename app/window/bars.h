@@ -9,6 +9,9 @@ namespace kd {
 /// Scene, view modes, and what makes the picture.
 void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit);
 
+/// One for each panel at the bottom.
+void draw_bottom_tabs(Edit& edit);
+
 /// What goes on, and the keys to begin with.
 void draw_status_line(const Rectangle& area, const EngineState& state, Edit& edit);
 

@@ -204,8 +204,11 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
     const float line = ImGui::GetTextLineHeight();
     float margin = theme::px(20);
     for (const ChartTick& tick : chart.y.ticks) margin = std::max(margin, size_of(tick.text).x + theme::px(8));
+    float right = theme::px(12);
+    if (!chart.x.ticks.empty() && chart.x.position(chart.x.ticks.back().value) > 0.98)
+        right = std::max(right, size_of(chart.x.ticks.back().text).x / 2 + theme::px(4));
     const Plane plane{{corner.x + margin, corner.y + line + theme::px(6)},
-                      {corner.x + size.x - theme::px(12), corner.y + size.y - 2 * line - theme::px(8)},
+                      {corner.x + size.x - right, corner.y + size.y - 2 * line - theme::px(8)},
                       chart};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddText({corner.x, corner.y}, theme::text, fmt::format("{} ({})", chart.title, chart.y.label).c_str());

@@ -97,12 +97,14 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
     if (what == Action::export_json) write_file(path, json_text(summary_json(state, rays_of(traced))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
-    if (!bare && !is_judged_for(traced, state.picture->view, true))
-        throw InputError("export: the hits are still being compared with double precision; wait until all are");
+    if (!bare && !is_complete_for(traced, state.picture->view, true))
+        throw InputError(needs_walks(state.picture->view)
+                             ? "export: the groups are still being walked; wait until all are"
+                             : "export: the hits are still being compared with double precision; wait until all are");
     write_png(path,
               bare ? state.picture->image
                    : make_figure(*traced.frame, traced.world->tree, traced.camera, state.picture->view, title_of(state),
-                                 caption_of(facts_of(state)), font, 1, traced.judged.get()),
+                                 caption_of(facts_of(state)), font, 1, {traced.judged.get(), traced.walks.get()}),
               png_text(state));
     return path;
 }

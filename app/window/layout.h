@@ -12,8 +12,8 @@ struct Rectangle {
 
 /// Sizes that a person can drag, in pixels at scale 1.
 struct LayoutSizes {
-    float left = 276, right = 228, bottom = 116;
-    float tall = 290;  // of the bottom where a tall panel is there
+    float left = 276, right = 228, bottom = 140;
+    float tall = 314;  // of the bottom where a tall panel is there
     bool operator==(const LayoutSizes&) const = default;
 };
 

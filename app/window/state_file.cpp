@@ -83,6 +83,20 @@ Json json_of(const StabilityState& state, const StabilityView& view) {
     return json;
 }
 
+/// What DIVERGENCE shows: the ends of its curve under while-while.
+Json json_of(const WidthState& state) {
+    Json json{{"active", state.active}, {"outdated", state.outdated}, {"error", state.error}};
+    if (!state.report) return json;
+    json["points"] = state.report->points.size();
+    json["overhead"] = state.report->overhead;
+    const auto efficiency = [](const DivergencePoint& point) {
+        return point.by_schedule[std::size_t(Schedule::while_while)].weighted;
+    };
+    json["narrowest"] = efficiency(state.report->points.front());
+    json["widest"] = efficiency(state.report->points.back());
+    return json;
+}
+
 /// What PAPER shows: how far it is, and how many figures and verdicts there are.
 Json json_of(const PaperState& state, const PaperView& view) {
     Json json{{"active", state.active}, {"what", state.what}, {"error", state.error}, {"figure", view.figure}};
@@ -91,6 +105,14 @@ Json json_of(const PaperState& state, const PaperView& view) {
     json["complete"] = state.report->results.complete;
     for (const PaperFigure& figure : state.report->figures) json["figures"][figure.name] = figure.chart.curves.size();
     for (const PaperClaim& claim : state.report->claims) json["verdicts"][claim.id] = name_of(claim.verdict);
+    return json;
+}
+
+/// What was measured of NEEDS, by feature.
+Json json_of(const NeedsTiming& timing) {
+    Json json{{"active", timing.active}, {"error", timing.error}, {"saved_ms", Json::object()}};
+    for (const FeatureTime& time : timing.times)
+        json["saved_ms"][std::string(info(time.feature).name)] = time.saved.median;
     return json;
 }
 
@@ -122,9 +144,12 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["pinned"] = json_of(state.pinned);
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
+    json["widths"] = json_of(state.widths);
     json["paper"] = json_of(state.paper, edit.window.paper);
     json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);
+    json["needs"] = json_of(state.needs);
+    json["compiled"] = state.compiled;
     json["last_export"] = edit.last_export;
     return json;
 }

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <charconv>
@@ -27,10 +28,8 @@ namespace kd {
 
 namespace {
 
-constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016;
-constexpr double preview_wait_s = 0.03;
+constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016, preview_wait_s = 0.03;
 constexpr int frames_after_input = 2;
-constexpr float double_click_s = 0.3f;
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -46,7 +45,7 @@ double exit_after_s() {
 
 WindowLoop& loop_of(GLFWwindow* window) { return *static_cast<WindowLoop*>(glfwGetWindowUserPointer(window)); }
 
-/// Those of Dear ImGui come from here too: keys wait for a frame that can take them.
+/// Those of Dear ImGui come from here too: keys and buttons wait for a frame that can take them.
 void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
     glfwSetWindowUserPointer(window, &loop);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
@@ -55,10 +54,8 @@ void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { loop_of(w).on_key({.character = character}); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("move"); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
-        loop_of(w).on_button();
-        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
-    });
+    glfwSetMouseButtonCallback(
+        window, [](GLFWwindow* w, int button, int action, int) { loop_of(w).on_button(button, action == GLFW_PRESS); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         loop_of(w).on_input("scroll");
         ImGui_ImplGlfw_ScrollCallback(w, x, y);
@@ -122,9 +119,22 @@ void WindowLoop::on_input(const char* kind) {
 
 void WindowLoop::on_key(const KeyEvent& event) { waiting_keys_.add(event); }
 
-void WindowLoop::on_button() {
+void WindowLoop::on_button(int button, bool down) {
     on_input("button");
     waiting_keys_.pause();
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_.handle(), &x, &y);
+    waiting_buttons_.add({button, down, float(x), float(y), engine_->now(), drawing_s_});
+}
+
+/// After the GLFW backend, which knows only what is down and where the mouse is now, and before the frame.
+void WindowLoop::take_buttons() {
+    const ButtonFrame frame = waiting_buttons_.take();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::copy(frame.down, io.MouseDown);
+    if (frame.change) io.MousePos = {frame.change->x, frame.change->y};
+    io.MouseDoubleClickTime = frame.second_of_two ? std::numeric_limits<float>::max() : 0;
+    if (!waiting_buttons_.empty()) lively_frames_ = frames_after_input;
 }
 
 void WindowLoop::take_keys() {
@@ -169,7 +179,11 @@ void WindowLoop::run(const std::stop_token& stop) {
         const EngineState& state = engine_->state();
         const bool moving =
             state.working() || state.stability.active || !state.messages.empty() || edit_.exporting.active;
-        if (lively_frames_ > 0 || moving) draw_frame();
+        if (lively_frames_ > 0 || moving) {
+            const double begun = engine_->now();
+            draw_frame();
+            drawing_s_ = engine_->now() - begun;
+        }
         --lively_frames_;
     }
 }
@@ -204,8 +218,7 @@ void WindowLoop::lay_out_frame() {
     take_keys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // Clicks are seen once per frame: a slow frame must not make two of a double click.
-    ImGui::GetIO().MouseDoubleClickTime = double_click_s + ImGui::GetIO().DeltaTime;
+    take_buttons();
     ImGui::NewFrame();
     const double now = engine_->now();
     const auto seconds = float(now - last_frame_);
@@ -258,6 +271,7 @@ void WindowLoop::draw_panels(const Layout& layout) {
     const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
         begin_area(name, area, {theme::px(12), theme::px(8)},
                    place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
+        if (place == PanelPlace::bottom) draw_bottom_tabs(edit_);
         for (const Panel& panel : panels()) {
             if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
             const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
@@ -297,6 +311,7 @@ void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
     engine_->set_probes(edit_.hovered, edit_.window.pinned);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
+    engine_->keep_widths(edit_.window.panels && edit_.window.bottom == divergence_panel);
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
         recent_world_ = world;
         add_recent(edit_.window.recent_files, world->loaded->name);
@@ -381,12 +396,10 @@ Image<Rgba8> WindowLoop::read_window() const {
     Image<Rgba8> upside_down(width, height);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels.data());
+    for (Rgba8& pixel : upside_down.pixels) pixel.a = 255;
     Image<Rgba8> image(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            image.at(x, y) = upside_down.at(x, height - 1 - y);
-            image.at(x, y).a = 255;
-        }
+        for (int x = 0; x < width; ++x) image.at(x, y) = upside_down.at(x, height - 1 - y);
     return image;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/engine.h"
 #include "app/panels/panel.h"
+#include "app/window/button_queue.h"
 #include "app/window/event_log.h"
 #include "app/window/exporter.h"
 #include "app/window/glfw_window.h"
@@ -34,7 +35,7 @@ class WindowLoop {
 
     // What GLFW reports; public for its callbacks.
     void on_key(const KeyEvent& event);
-    void on_button();
+    void on_button(int button, bool down);
     void on_input(const char* kind);
     void on_drop(const std::string& path);
 
@@ -46,6 +47,7 @@ class WindowLoop {
     void present_frame();
     void draw_panels(const Layout& layout);
     void take_keys();
+    void take_buttons();
     [[nodiscard]] const Panel& bottom_panel() const;
     void apply_keys();
     void apply_edit();
@@ -71,11 +73,13 @@ class WindowLoop {
     Edit edit_;
     Layout layout_;
     KeyQueue waiting_keys_;
+    ButtonQueue waiting_buttons_;
     std::vector<KeyEvent> keys_;  // pressed, for the frame that begins
     std::vector<std::string> dropped_;
     InputCounts inputs_, answered_;  // that came, and that the screen answers
     int lively_frames_ = 4;          // to draw before waiting again: Dear ImGui answers some inputs one frame late
-    double last_frame_ = 0;
+    double last_frame_ = 0;          // Engine::now() at its beginning
+    double drawing_s_ = 0;           // that the last frame took
     std::shared_ptr<const World> recent_world_;  // whose file is among the recent ones
     bool window_export_ = false;
     Exporter exporter_;  // last: ends before what it uses goes

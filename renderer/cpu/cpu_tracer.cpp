@@ -26,6 +26,7 @@ std::string cpu_target_name() {
 CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>()) {
     view_->scene = &scene;
     view_->tree = &tree;
+    view_->facts = scene_facts(scene, tree);
 }
 
 CpuTracer::~CpuTracer() = default;
@@ -33,11 +34,22 @@ CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
 
 void CpuTracer::prepare(const TraceConfig& config) {
     SceneView& view = *view_;
-    view.needs = scene_needs(*view.scene, config);
-    if (info(config.traversal).needs_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
-    view.duplicated = config.leaf_lists == LeafLists::duplicated;
-    if (view.duplicated && view.duplicated_corners.empty())
+    view.needs = scene_needs(view.facts, config);
+    // What is needed no more is let go.
+    if (!view.needs.node_boxes) view.boxes = {};
+    if (!view.needs.leaf_copies) view.duplicated_corners = {};
+    if (view.needs.node_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
+    if (view.needs.leaf_copies && view.duplicated_corners.empty())
         view.duplicated_corners = duplicated_leaf_triangles(*view.tree, view.scene->triangles);
+}
+
+std::int64_t CpuTracer::table_bytes() const {
+    return std::int64_t(std::span(view_->boxes).size_bytes() + std::span(view_->duplicated_corners).size_bytes());
+}
+
+std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs) {
+    return std::int64_t((needs.node_boxes ? tree.nodes.size() * sizeof(Aabb) : 0) +
+                        (needs.leaf_copies ? tree.references.size() * sizeof(Triangle) : 0));
 }
 
 bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/kdtree/tree.h"
+#include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/trace_config.h"
@@ -42,9 +43,15 @@ class CpuTracer {
     bool trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters, int threads = 0, std::stop_token stop = {});
 
+    /// Bytes of the tables that the last call made or kept.
+    [[nodiscard]] std::int64_t table_bytes() const;
+
   private:
     std::unique_ptr<SceneView> view_;
 };
+
+/// The same, known before.
+[[nodiscard]] std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs);
 
 /// Instruction set that the hot code runs with, chosen when first used ("AVX3", "AVX2", "SSE4", ...).
 [[nodiscard]] std::string cpu_target_name();

@@ -8,7 +8,7 @@ class Kernel {
     Kernel(const SceneView& scene_view, const TraceConfig& config, Observer& first)
         : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
           corners(scene_view.scene->triangles.data()),
-          duplicates(scene_view.duplicated ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
+          duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget),
           observer(&first) {}
 
@@ -57,10 +57,10 @@ class Kernel {
     }
     const TriangleAttributes& attributes(int triangle) const { return view.scene->attributes[std::size_t(triangle)]; }
     void fetch_normals(int triangle, real3& a, real3& b, real3& c) const {
-        const TriangleAttributes& t = attributes(triangle);
-        a = t.normal[0];
-        b = t.normal[1];
-        c = t.normal[2];
+        const std::array<Vec3, 3> normals = vertex_normals(*view.scene, triangle);
+        a = normals[0];
+        b = normals[1];
+        c = normals[2];
     }
     real2 fetch_texture_coordinates(int triangle, real u, real v) const {
         const TriangleAttributes& t = attributes(triangle);
@@ -77,7 +77,10 @@ class Kernel {
         const Rgba8 c = view.scene->textures[std::size_t(texture)].at(x, y);
         return real3(c.r, c.g, c.b) / real(255);
     }
-    Light fetch_light(int index) const { return view.scene->lights[std::size_t(index)]; }
+    Light fetch_light(int index) const {
+        if constexpr (requires { observer->on_light(index); }) observer->on_light(index);
+        return view.scene->lights[std::size_t(index)];
+    }
     int light_count() const { return int(view.scene->lights.size()); }
     int triangle_count() const { return int(view.scene->triangles.size()); }
 
@@ -85,17 +88,23 @@ class Kernel {
     bool scene_has_normals() const { return view.needs.normals; }
     bool scene_has_textures() const { return view.needs.textures; }
     bool shadows_enabled() const { return view.needs.shadows; }
+    bool scene_has_highlights() const { return view.needs.highlights; }
+    bool scene_has_directional_lights() const { return true; }
+    bool scene_has_placed_lights() const { return true; }
+    bool scene_has_spot_lights() const { return true; }
     real3 scene_ambient() const { return view.scene->ambient; }
     real3 scene_background() const { return view.scene->background; }
     int step_budget() const { return most_steps; }
 
   public:
 #define KD_STACK_SIZE max_tree_depth
+#define KD_LONG_TRAIL 1
 #define KD_TRAVERSE traverse_chosen
 #define KD_RULES int(rules)
 #include "shaders/shared/kernel.glsl"
 #undef KD_RULES
 #undef KD_TRAVERSE
+#undef KD_LONG_TRAIL
 #undef KD_STACK_SIZE
 
   private:

@@ -1,21 +1,22 @@
 // One pixel through the paper's four passes. Included by tile_kernel.cpp once per instruction set, like kernel.h.
 
+/// Traces one pixel's rays, those of each pass told to its observer in `seen` and answered in `hits`. Returns the colour,
+/// which is the pixel's where all passes ran; those after `last` do not.
 template <class Kernel, class Observer>
-void trace_pixel(Kernel& kernel, const TileJob& job, int x, int y) {
+Vec3 walk_pixel(Kernel& kernel, const TileJob& job, int2 pixel, int2 size, Pass last,
+                std::array<Observer, pass_count>& seen, std::array<Hit, pass_count>& hits) {
     using Path = typename Kernel::Path;
-    Frame& frame = job.frame;
-    const std::size_t i = frame.colour.index(x, y);
-    std::array<Observer, pass_count> seen{};
-    std::array<Hit, pass_count> hits;
     hits.fill(Hit{-1, 0.0f, 0.0f, 0.0f});
     const auto observe = [&](Pass pass) { kernel.observe(seen[std::size_t(pass)]); };
 
     observe(Pass::rt_prim);
-    Path path = kernel.trace_primary(job.camera, int2(x, y), int2(frame.width, frame.height));
+    Path path = kernel.trace_primary(job.camera, pixel, size);
     hits[0] = path.hit;
+    if (last == Pass::rt_prim) return Vec3(0);
 
     observe(Pass::shade_prim);
     Vec3 colour = kernel.shade_path(path, hits[1]);
+    if (last == Pass::shade_prim) return colour;
 
     for (int bounce = 0; bounce < job.view.needs.bounces; ++bounce) {
         if (!kernel.reflection_counts(kernel.reflected_weight(path), job.config.least_contribution)) break;
@@ -25,6 +26,17 @@ void trace_pixel(Kernel& kernel, const TileJob& job, int x, int y) {
         observe(Pass::shade_refl);
         colour += kernel.shade_path(path, hits[3]);
     }
+    return colour;
+}
+
+template <class Kernel, class Observer>
+void trace_pixel(Kernel& kernel, const TileJob& job, int x, int y) {
+    Frame& frame = job.frame;
+    const std::size_t i = frame.colour.index(x, y);
+    std::array<Observer, pass_count> seen{};
+    std::array<Hit, pass_count> hits;
+    const Vec3 colour =
+        walk_pixel(kernel, job, int2(x, y), int2(frame.width, frame.height), Pass::shade_refl, seen, hits);
 
     frame.colour.pixels[i] = Vec4(colour, 1.0f);
     for (std::size_t pass = 0; pass < pass_count; ++pass) {

@@ -14,10 +14,10 @@ namespace kd {
 struct SceneView {
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
+    SceneFacts facts;
     SceneNeeds needs;
-    bool duplicated = false;                   // leaves read duplicated_corners by slot, not triangles by number
-    std::vector<Triangle> duplicated_corners;  // made when first asked for
-    std::vector<Aabb> boxes;                   // made for traversals that climb
+    std::vector<Triangle> duplicated_corners;  // where needed
+    std::vector<Aabb> boxes;                   // where needed
 };
 
 }  // namespace kd

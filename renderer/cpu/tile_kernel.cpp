@@ -54,7 +54,7 @@ void run(const Job& job) {
     }
 }
 
-void RunTileJob(const TileJob& job) { job.config.counters ? run<CountingObserver>(job) : run<NullObserver>(job); }
+void RunTileJob(const TileJob& job) { job.view.needs.counters ? run<CountingObserver>(job) : run<NullObserver>(job); }
 
 void RunRayJob(const RayJob& job) { job.counters.empty() ? run<NullObserver>(job) : run<CountingObserver>(job); }
 

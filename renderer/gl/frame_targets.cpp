@@ -1,5 +1,6 @@
 #include "renderer/gl/frame_targets.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "renderer/gl/gl_debug.h"
@@ -52,13 +53,27 @@ GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture
     return framebuffer;
 }
 
+TargetKey target_key(const SceneNeeds& needs, int width, int height) {
+    return {width, height, needs.counters, needs.shadows, std::min(needs.bounces, 2)};
+}
+
+std::int64_t target_bytes(const TargetKey& key) {
+    constexpr std::int64_t texel = 16, depth = 4;
+    const std::int64_t counters = key.counters ? 2 * texel : 0;
+    const std::int64_t shadows = key.shadows ? texel + counters : 0;
+    std::int64_t pixel = texel + depth + texel + counters + shadows;
+    if (key.bounces > 0) pixel += counters + shadows + 3 * texel * key.bounces;
+    if (key.bounces > 1) pixel += texel + counters + (key.shadows ? texel : 0);  // the first hit; the earlier layer
+    return pixel * key.width * key.height;
+}
+
 FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
     colour_ = texture(gl, GL_RGBA32F, 16, "colour");
     depth_ = texture(gl, GL_DEPTH_COMPONENT32F, 4, "depth");
     LayerTargets& prim = layers_[0];
     LayerTargets& shade = layers_[1];
     prim = make_layer(gl, true, name_of(Pass::rt_prim));
-    shade = make_layer(gl, true, name_of(Pass::shade_prim));
+    shade = make_shadow_layer(gl, Pass::shade_prim);
     framebuffers_[0] =
         attach(gl, {&prim.counters_a, &prim.counters_b, &prim.hit, nullptr, nullptr}, name_of(Pass::rt_prim));
     framebuffers_[1] =
@@ -77,8 +92,8 @@ void FrameTargets::make_reflection_targets(const GlApi& gl) {
     LayerTargets& refl = layers_[2];
     LayerTargets& shade = layers_[3];
     refl = make_layer(gl, key_.bounces > 1, name_of(Pass::rt_refl));
-    shade = make_layer(gl, true, name_of(Pass::shade_refl));
-    if (key_.bounces > 1) earlier_ = make_layer(gl, true, "earlier bounces");
+    shade = make_shadow_layer(gl, Pass::shade_refl);
+    if (key_.bounces > 1) earlier_ = make_layer(gl, key_.shadows, "earlier bounces");
     for (std::size_t i = 0; i < std::size_t(key_.bounces); ++i) {
         PathTargets& path = paths_[i];
         path.hit = texture(gl, GL_RGBA32UI, 16, "path hit");
@@ -104,6 +119,10 @@ LayerTargets FrameTargets::make_layer(const GlApi& gl, bool with_hit, const std:
         layer.counters_b = texture(gl, GL_RGBA32UI, 16, name + " counters b");
     }
     return layer;
+}
+
+LayerTargets FrameTargets::make_shadow_layer(const GlApi& gl, Pass pass) {
+    return key_.shadows ? make_layer(gl, true, name_of(pass)) : LayerTargets{};
 }
 
 GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,

@@ -8,6 +8,7 @@
 
 #include "renderer/gl/bindings.h"
 #include "renderer/gl/object.h"
+#include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
@@ -16,12 +17,18 @@ namespace kd {
 struct TargetKey {
     int width = 0, height = 0;
     bool counters = true;
-    int bounces = 0;  // 0, 1, or 2 for more
+    bool shadows = true;  // hit and counters of shadow rays
+    int bounces = 0;      // 0, 1, or 2 for more
 
     bool operator==(const TargetKey&) const = default;
 };
 
-/// Hit and counters of one pass's rays.
+[[nodiscard]] TargetKey target_key(const SceneNeeds& needs, int width, int height);
+
+/// What such targets take, known before they are made.
+[[nodiscard]] std::int64_t target_bytes(const TargetKey& key);
+
+/// Hit and counters of one pass's rays; those of a shading pass only where it traces shadow rays.
 struct LayerTargets {
     GlTexture hit, counters_a, counters_b;
 };
@@ -68,6 +75,7 @@ class FrameTargets {
 
     GlTexture texture(const GlApi& gl, GLenum format, int bytes_per_texel, const std::string& name);
     LayerTargets make_layer(const GlApi& gl, bool with_hit, const std::string& name);
+    LayerTargets make_shadow_layer(const GlApi& gl, Pass pass);
     void make_reflection_targets(const GlApi& gl);
     GlFramebuffer attach(const GlApi& gl, const std::array<const GlTexture*, output_count>& outputs,
                          std::string_view name) const;

@@ -66,6 +66,7 @@
     X(GetShaderInfoLog, GETSHADERINFOLOG)                                                                              \
     X(GetShaderiv, GETSHADERIV)                                                                                        \
     X(GetString, GETSTRING)                                                                                            \
+    X(GetStringi, GETSTRINGI)                                                                                          \
     X(GetTexImage, GETTEXIMAGE)                                                                                        \
     X(IsBuffer, ISBUFFER)                                                                                              \
     X(IsEnabled, ISENABLED)                                                                                            \

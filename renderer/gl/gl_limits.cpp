@@ -49,9 +49,10 @@ void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
 }
 
 void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits) {
-    if (config.leaf_lists == LeafLists::duplicated)
+    const auto has = [&](bool needed, Feature feature) { return needed || config.forced.has(feature); };
+    if (has(config.leaf_lists == LeafLists::duplicated, Feature::leaf_copies))
         check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
-    if (info(config.traversal).needs_boxes)
+    if (has(info(config.traversal).needs_boxes, Feature::node_boxes))
         check_texels("the boxes of all nodes", 2 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
     if (config.traversal == Traversal::naive) {
         // One invocation traces the shadow rays to all lights.

@@ -1,6 +1,7 @@
 #include "renderer/gl/gl_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "renderer/gl/gl_tracer_impl.h"
 #include "renderer/gl/self_test.h"
@@ -18,6 +19,20 @@ GlLimits limits_of(const GlApi& gl) {
     return {texels, size};
 }
 
+/// Takes back at the end, also of a failure, that programs are being compiled.
+class CompilingNote {
+  public:
+    explicit CompilingNote(GlTracer::Impl& tracer) : tracer_(tracer) {}
+    ~CompilingNote() {
+        if (std::exchange(tracer_.compiling, 0) > 0 && tracer_.told_compiling) tracer_.told_compiling(0);
+    }
+    CompilingNote(const CompilingNote&) = delete;
+    CompilingNote& operator=(const CompilingNote&) = delete;
+
+  private:
+    GlTracer::Impl& tracer_;
+};
+
 }  // namespace
 
 GlTracer::Impl::Impl(Context& context)
@@ -33,7 +48,7 @@ SceneUpload& GlTracer::Impl::scene() {
     return *uploaded;
 }
 
-SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_needs(scene().scene(), config); }
+SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_needs(scene().facts(), config); }
 
 ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     ProgramSettings settings;
@@ -41,7 +56,6 @@ ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     settings.needs = needs_of(config);
     settings.limited_loops = software;
     settings.corrected_rounding = corrected_rounding;
-    settings.stack_size = scene().stack_size();
     return settings;
 }
 
@@ -58,7 +72,7 @@ void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height
     check_image(width, height, limits);
     const SceneNeeds needs = needs_of(config);
     scene().prepare(config, needs);
-    const TargetKey key{width, height, config.counters, std::min(needs.reflections ? needs.bounces : 0, 2)};
+    const TargetKey key = target_key(needs, width, height);
     if (targets.key() == key) return;
     targets = FrameTargets();  // lets go of the old ones first
     targets = FrameTargets(gl, key);
@@ -85,11 +99,20 @@ void GlTracer::upload(const FlatScene& scene, const KdTree& tree) {
 void GlTracer::prepare(const GlTraceConfig& config, int width, int height) {
     if (width <= 0 || height <= 0) return;
     const StateGuard guard(impl_->gl);
+    const CompilingNote note(*impl_);
     impl_->make_ready(config.trace, width, height);
     // Drivers finish compiling when a program is first drawn with, so every pass is drawn once over no pixel.
     GlFrameReport unused;
     impl_->draw_tile(config, PinholeCamera{}, Tile{}, unused);
     impl_->gl.Finish();
+}
+
+void GlTracer::tell_compiling(std::function<void(int)> told) {
+    impl_->told_compiling = std::move(told);
+    impl_->programs.tell_compiling([impl = impl_.get()] {
+        ++impl->compiling;
+        if (impl->told_compiling) impl->told_compiling(impl->compiling);
+    });
 }
 
 GlFrameReport GlTracer::draw(const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "renderer/gl/ballots.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/gl_error.h"
 #include "renderer/kdtree/tree.h"
@@ -43,6 +45,11 @@ struct GlFrameReport {
 /// Memory that an upload takes, in bytes.
 struct GlMemory {
     std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0;
+
+    [[nodiscard]] std::int64_t total() const {
+        return nodes + boxes + references + triangles + attributes + textures + targets;
+    }
+    bool operator==(const GlMemory&) const = default;
 };
 
 /// All calls need the context current. GL errors and shader errors are thrown as GlError with file and line.
@@ -69,11 +76,20 @@ class GlTracer {
     void trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters);
 
+    /// Walks the rays of a width x height picture, one per pixel in rows, by a loop that counts its own lanes.
+    /// BallotError where the driver has no ballots or `config` no such loop.
+    [[nodiscard]] BallotLayer measure_ballots(const TraceConfig& config, Schedule loop, std::span<const Ray> rays,
+                                              bool any_hit, int width, int height);
+
     /// Whether quotients and roots are corrected to the nearest number (shaders/shared/rounding.glsl): on hardware they are
     /// unless told otherwise, and hits and counters then equal the CPU's.
     void correct_rounding(bool on);
 
     [[nodiscard]] GlMemory memory() const;
+
+    /// `told` gets the number of programs that are being compiled in a prepare(), growing one by one, and 0 when all are
+    /// ready. Nothing is told where all are there already.
+    void tell_compiling(std::function<void(int)> told);
 
     struct Impl;  // renderer/gl/gl_tracer_impl.h
 

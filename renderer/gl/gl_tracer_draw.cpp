@@ -25,7 +25,7 @@ class TileDraw {
         bind_texture(gl_, Unit::path_hit, targets.layer(Pass::rt_prim).hit);
         pass(Pass::shade_prim, targets.framebuffer(Pass::shade_prim));
 
-        const int bounces = settings_.needs.reflections ? settings_.needs.bounces : 0;
+        const int bounces = settings_.needs.bounces;
         for (int bounce = 0; bounce < bounces; ++bounce) reflect(bounce);
         t_.timer.end_frame(report_);
     }
@@ -84,6 +84,7 @@ class TileDraw {
 
     /// Copies a layer for a pass that goes on from it: a pass cannot read what it draws into.
     void keep_earlier(Pass pass) {
+        if (pass == Pass::shade_refl && !t_.targets.key().shadows) return;
         const LayerTargets& layer = t_.targets.layer(pass);
         const LayerTargets& earlier = t_.targets.earlier();
         if (pass == Pass::shade_refl) {

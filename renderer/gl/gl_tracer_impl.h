@@ -23,6 +23,8 @@ struct GlTracer::Impl {
     GlBuffer shaded_counter;
     std::optional<SceneUpload> uploaded;
     FrameTargets targets;
+    std::function<void(int)> told_compiling;
+    int compiling = 0;
 
     explicit Impl(Context& context);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <bit>
 
 #include "renderer/gl/gl_tracer_impl.h"
+#include "renderer/gl/ray_table.h"
 #include "renderer/gl/state_guard.h"
 #include "renderer/gl/target_reader.h"
 
@@ -11,19 +11,6 @@ namespace {
 
 constexpr int longest_row = 4096;
 constexpr std::size_t largest_batch = std::size_t(longest_row) * 256;
-constexpr std::size_t texels_per_ray = 3;
-
-std::vector<glm::uvec4> encode_rays(std::span<const Ray> rays) {
-    const auto bits = [](float x) { return std::bit_cast<unsigned>(x); };
-    std::vector<glm::uvec4> texels;
-    texels.reserve(texels_per_ray * rays.size());
-    for (const Ray& r : rays) {
-        texels.emplace_back(bits(r.origin.x), bits(r.origin.y), bits(r.origin.z), bits(r.t_min));
-        texels.emplace_back(bits(r.direction.x), bits(r.direction.y), bits(r.direction.z), bits(r.t_max));
-        texels.emplace_back(unsigned(r.source), 0u, 0u, 0u);
-    }
-    return texels;
-}
 
 /// Rows of rays drawn as an image.
 class RayBatch {
@@ -41,7 +28,7 @@ class RayBatch {
 
     void trace(const ProgramSettings& settings, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                std::span<RayCounters> counters) {
-        const BufferTexture table(gl_, GL_RGBA32UI, encode_rays(rays), "rays");
+        const BufferTexture table = make_ray_table(gl_, rays);
         gl_blocks::FrameBlock block{};
         block.rays = {any_hit ? 1 : 0, int(rays.size()), width_, 0};
         t_.frame_block.set(gl_, block);

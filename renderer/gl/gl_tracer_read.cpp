@@ -18,9 +18,10 @@ Frame GlTracer::read_frame(const TraceConfig& config) {
 
     const SceneNeeds needs = impl_->needs_of(config);
     const bool reflects = needs.reflections && key.bounces > 0;
-    const std::size_t passes = reflects ? pass_count : 2;
-    for (std::size_t i = 0; i < passes; ++i) {
-        const auto pass = static_cast<Pass>(i);
+    for (const Pass pass : {Pass::rt_prim, Pass::shade_prim, Pass::rt_refl, Pass::shade_refl}) {
+        const bool reflected = pass == Pass::rt_refl || pass == Pass::shade_refl;
+        const bool shades = pass == Pass::shade_prim || pass == Pass::shade_refl;
+        if ((reflected && !reflects) || (shades && !key.shadows)) continue;  // left as nothing was traced
         const LayerTargets& from = t.targets.layer(pass);
         const GLuint hit = pass == Pass::rt_refl ? t.targets.first_reflection_hit() : from.hit.id();
         reader.read_hits(hit, frame.layer(pass).hit.pixels);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "renderer/scene/needs_sizes.h"
+
 namespace kd {
 
 namespace {
@@ -28,26 +30,35 @@ DepthRule depth_rule(Step step, EarlyZ early_z) {
 ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
-    const bool traces = step != Step::mark;
+    const bool walks = step == Step::rt_prim || reflects || step == Step::rays || (shades && s.needs.shadows);
+    const bool looks_up_materials = step != Step::rays && (step != Step::rt_prim || s.needs.reflections);
     ProgramKey key;
     key.vertex = "fragment/quad.vert";
     key.fragment = std::string("fragment/") + entry_points[static_cast<std::size_t>(step)] + ".frag";
     // What a step does not read stays at one value, so that it shares programs across settings.
     key.defines = {
-        {"KD_COUNTERS", flag(s.trace.counters && traces)},
-        {"KD_DUPLICATED", flag(s.trace.leaf_lists == LeafLists::duplicated && traces)},
+        {"KD_COUNTERS", flag(s.needs.counters && walks)},
+        {"KD_DUPLICATED", flag(s.needs.leaf_copies && walks)},
         {"KD_NORMALS", flag(s.needs.normals && (shades || reflects))},
         {"KD_TEXTURES", flag(s.needs.textures && shades)},
         {"KD_SHADOWS", flag(s.needs.shadows && shades)},
-        {"KD_TRAVERSE", std::string(traces ? walk_function(s.trace) : "traverse_naive")},
-        {"KD_RULES", traces ? std::to_string(int(s.trace.rules)) : "0"},
-        {"KD_STACK_SIZE", info(s.trace.traversal).needs_stack && traces ? std::to_string(s.stack_size) : "1"},
+        {"KD_REFLECTIONS", flag(s.needs.reflections && step == Step::rt_prim)},
+        {"KD_HIGHLIGHTS", flag(s.needs.highlights && shades)},
+        {"KD_DIRECTIONAL_LIGHTS", flag(s.needs.directional_lights && shades)},
+        {"KD_PLACED_LIGHTS", flag(s.needs.placed_lights && shades)},
+        {"KD_SPOT_LIGHTS", flag(s.needs.spot_lights && shades)},
+        {"KD_LIGHTS", shades ? std::to_string(s.needs.many_lights ? -1 : s.needs.lights) : "0"},
+        {"KD_MATERIAL_NUMBERS", flag(s.needs.material_numbers && looks_up_materials)},
+        {"KD_TRAVERSE", std::string(walks ? walk_function(s.trace) : "traverse_naive")},
+        {"KD_RULES", walks ? std::to_string(int(s.trace.rules)) : "0"},
+        {"KD_STACK_SIZE", info(s.trace.traversal).needs_stack && walks ? std::to_string(s.needs.levels) : "1"},
+        {"KD_LONG_TRAIL", flag(walks && s.trace.traversal == Traversal::restart && s.needs.levels > short_trail)},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
         {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
         {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)},
         {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays)},
         {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
-        {"KD_LOOP_LIMIT", flag(s.limited_loops && traces)},
+        {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
     return key;
 }

@@ -19,7 +19,6 @@ struct ProgramSettings {
     bool later_bounce = false;        // rt_refl and shade_refl after the first bounce
     bool limited_loops = false;       // the driver ends loops by itself (software renderers)
     bool corrected_rounding = false;  // see shaders/shared/rounding.glsl
-    int stack_size = max_tree_depth;
 };
 
 [[nodiscard]] ProgramKey program_key(Step step, const ProgramSettings& settings);

@@ -1,5 +1,6 @@
 #include "renderer/gl/program.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <tuple>
 
@@ -86,10 +87,20 @@ GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader&
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }
 
 const GlProgram& ProgramCache::get(const ProgramKey& key) {
-    if (const auto found = programs_.find(key); found != programs_.end()) return found->second;
-    return programs_
-        .emplace(std::piecewise_construct, std::forward_as_tuple(key), std::forward_as_tuple(gl_, key, read_))
-        .first->second;
+    ++now_;
+    if (const auto found = programs_.find(key); found != programs_.end()) {
+        found->second.used = now_;
+        return found->second.program;
+    }
+    if (told_) told_();
+    const auto made = programs_.emplace(std::piecewise_construct, std::forward_as_tuple(key),
+                                        std::forward_as_tuple(gl_, key, read_, now_));
+    if (programs_.size() > most_) drop_oldest();
+    return made.first->second.program;
+}
+
+void ProgramCache::drop_oldest() {
+    programs_.erase(std::ranges::min_element(programs_, {}, [](const auto& entry) { return entry.second.used; }));
 }
 
 }  // namespace kd

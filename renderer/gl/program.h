@@ -1,6 +1,8 @@
 // Linked programs, kept by what they were made from.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -33,19 +35,38 @@ class GlProgram {
     GLuint id_;
 };
 
+/// At most `most` programs; the one whose use lies farthest back goes first.
 class ProgramCache {
   public:
-    explicit ProgramCache(const GlApi& gl, ShaderReader read = default_shader_reader())
-        : gl_(gl), read_(std::move(read)) {}
+    /// Frames use up to six at a time; the rest are those that a person went away from and may come back to.
+    static constexpr std::size_t usual_size = 64;
 
-    /// The program, compiled and linked when first asked for.
+    explicit ProgramCache(const GlApi& gl, ShaderReader read = default_shader_reader(), std::size_t most = usual_size)
+        : gl_(gl), read_(std::move(read)), most_(most) {}
+
+    /// The program, compiled and linked where it is not there. It stays for the next `most` - 1 that are asked for.
     [[nodiscard]] const GlProgram& get(const ProgramKey& key);
     [[nodiscard]] std::size_t size() const { return programs_.size(); }
+    /// Called before a program is compiled.
+    void tell_compiling(std::function<void()> told) { told_ = std::move(told); }
 
   private:
+    struct Entry {
+        GlProgram program;
+        std::uint64_t used;
+
+        Entry(const GlApi& gl, const ProgramKey& key, const ShaderReader& read, std::uint64_t now)
+            : program(gl, key, read), used(now) {}
+    };
+
+    void drop_oldest();
+
     const GlApi& gl_;
     ShaderReader read_;
-    std::map<ProgramKey, GlProgram> programs_;
+    std::size_t most_;
+    std::uint64_t now_ = 0;
+    std::function<void()> told_;
+    std::map<ProgramKey, Entry> programs_;
 };
 
 }  // namespace kd

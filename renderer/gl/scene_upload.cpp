@@ -61,8 +61,8 @@ std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes) {
 
 std::vector<Vec4> encode_normals(const FlatScene& scene) {
     std::vector<Vec4> texels;
-    for (const TriangleAttributes& t : scene.attributes)
-        for (const Vec3& normal : t.normal) texels.emplace_back(normal, 0.0f);
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+        for (const Vec3& normal : vertex_normals(scene, int(i))) texels.emplace_back(normal, 0.0f);
     return texels;
 }
 
@@ -85,14 +85,7 @@ std::vector<Rgba8> encode_texels(const FlatScene& scene) {
     return texels;
 }
 
-int stack_size_for(const KdTree& tree) {
-    const int deepest = std::ranges::max(node_depths(tree));
-    for (const int size : {8, 16, 24, 32, 48})
-        if (deepest <= size) return size;
-    return max_tree_depth;
-}
-
-gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget) {
+gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget, int only_material) {
     const int lights_at = 3 * int(scene.materials.size());
     const int textures_at = lights_at + 4 * int(scene.lights.size());
     return {
@@ -101,7 +94,7 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget) {
         .ambient = Vec4(scene.ambient, 0.0f),
         .background = Vec4(scene.background, 1.0f),
         .counts = {int(scene.triangles.size()), int(scene.lights.size()), lights_at, textures_at},
-        .limits = {step_budget, loop_check_rounds, 0, 0},
+        .limits = {step_budget, loop_check_rounds, only_material, 0},
     };
 }
 
@@ -109,34 +102,50 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget) {
 
 SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree)
     : gl_(gl), limits_(limits), scene_(scene), tree_(tree), sizes_(upload_sizes(scene, tree)),
-      stack_size_((check_upload(sizes_, limits), stack_size_for(tree))), block_(gl),
-      nodes_(gl, GL_RGBA32F, encode_float4(tree), "nodes"), references_(gl, GL_R32I, tree.references, "leaf lists"),
+      facts_((check_upload(sizes_, limits), scene_facts(scene, tree))), block_(gl),
+      nodes_(gl, GL_RGBA32F, encode_float4(tree), "nodes"),
       corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
-      material_index_(gl, GL_R32I, encode_material_index(scene), "material numbers"),
-      tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {
-    set_step_budget(0);
+      tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {}
+
+void SceneUpload::set_block(int step_budget, int only_material) {
+    const int budget = step_budget > 0 ? std::min(step_budget, gl_step_budget) : gl_step_budget;
+    const std::array<int, 2> wanted{budget, only_material};
+    if (block_holds_ == wanted) return;
+    block_holds_ = wanted;
+    block_.set(gl_, encode_block(scene_, budget, only_material));
 }
 
-void SceneUpload::set_step_budget(int wanted) {
-    const int budget = wanted > 0 ? std::min(wanted, gl_step_budget) : gl_step_budget;
-    if (budget == step_budget_) return;
-    step_budget_ = budget;
-    block_.set(gl_, encode_block(scene_, budget));
+void SceneUpload::upload_references(bool wide) {
+    if (references_ && wide_references_ == wide) return;
+    wide_references_ = wide;
+    references_ = {};
+    if (wide) {
+        references_ = BufferTexture(gl_, GL_R32UI, tree_.references, "leaf lists");
+    } else {
+        const std::vector<std::uint16_t> narrow(tree_.references.begin(), tree_.references.end());
+        references_ = BufferTexture(gl_, GL_R16UI, narrow, "leaf lists of 16 bits");
+    }
 }
 
 void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
     check_config(sizes_, config, limits_);
-    set_step_budget(config.step_budget);
-    if (info(config.traversal).needs_boxes && !boxes_)
-        boxes_ = BufferTexture(gl_, GL_RGBA32F, encode_boxes(node_boxes(tree_)), "node boxes");
-    if (config.leaf_lists == LeafLists::duplicated && !leaf_corners_)
-        leaf_corners_ = BufferTexture(
-            gl_, GL_RGBA32F, encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)), "leaf triangles");
-    if (needs.normals && !normals_) normals_ = BufferTexture(gl_, GL_RGBA32F, encode_normals(scene_), "normals");
-    if (needs.textures && !texels_) {
-        texture_coordinates_ = BufferTexture(gl_, GL_RG32F, encode_texture_coordinates(scene_), "texture coordinates");
-        texels_ = BufferTexture(gl_, GL_RGBA8UI, encode_texels(scene_), "images");
-    }
+    set_block(config.step_budget, needs.only_material);
+    upload_references(needs.wide_references);
+    const auto keep = [&](BufferTexture& table, bool needed, GLenum format, const char* what, const auto& encode) {
+        if (!needed)
+            table = {};
+        else if (!table)
+            table = BufferTexture(gl_, format, encode(), what);
+    };
+    keep(material_index_, needs.material_numbers, GL_R32I, "material numbers",
+         [&] { return encode_material_index(scene_); });
+    keep(boxes_, needs.node_boxes, GL_RGBA32F, "node boxes", [&] { return encode_boxes(node_boxes(tree_)); });
+    keep(leaf_corners_, needs.leaf_copies, GL_RGBA32F, "leaf triangles",
+         [&] { return encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)); });
+    keep(normals_, needs.normals, GL_RGBA32F, "normals", [&] { return encode_normals(scene_); });
+    keep(texture_coordinates_, needs.textures, GL_RG32F, "texture coordinates",
+         [&] { return encode_texture_coordinates(scene_); });
+    keep(texels_, needs.textures, GL_RGBA8UI, "images", [&] { return encode_texels(scene_); });
 }
 
 void SceneUpload::bind() const {

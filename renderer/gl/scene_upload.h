@@ -1,6 +1,8 @@
 // A scene and its tree in the context's memory.
 #pragma once
 
+#include <array>
+
 #include "renderer/gl/blocks.h"
 #include "renderer/gl/buffer_texture.h"
 #include "renderer/gl/gl_limits.h"
@@ -16,30 +18,32 @@ class SceneUpload {
     /// tree must outlive this.
     SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree);
 
-    /// Uploads what else `config` reads and is not there yet. InputError where it cannot be traced.
+    /// Uploads what else `needs` asks for and is not there yet, and lets go of what it does not. InputError where `config`
+    /// cannot be traced.
     void prepare(const TraceConfig& config, const SceneNeeds& needs);
 
     void bind() const;
     void add_to(GlMemory& memory) const;
 
     [[nodiscard]] const FlatScene& scene() const { return scene_; }
-    /// Room for pending nodes that the stack traversal needs on this tree, rounded up to one of a few sizes so that few
-    /// programs serve all trees.
-    [[nodiscard]] int stack_size() const { return stack_size_; }
+    [[nodiscard]] const SceneFacts& facts() const { return facts_; }
 
   private:
-    void set_step_budget(int wanted);
+    void set_block(int step_budget, int only_material);
+    void upload_references(bool wide);
 
     const GlApi& gl_;
     GlLimits limits_;
     const FlatScene& scene_;
     const KdTree& tree_;
     UploadSizes sizes_;
-    int stack_size_;
-    int step_budget_ = 0;
+    SceneFacts facts_;
+    std::array<int, 2> block_holds_{};  // step budget and only material
+    bool wide_references_ = false;
     UniformBuffer<gl_blocks::SceneBlock> block_;
-    BufferTexture nodes_, references_, corners_, material_index_, tables_;
-    BufferTexture boxes_, leaf_corners_, normals_, texture_coordinates_, texels_;  // where asked for
+    BufferTexture nodes_, corners_, tables_;
+    BufferTexture references_, material_index_, boxes_, leaf_corners_, normals_, texture_coordinates_,
+        texels_;  // as asked for
 };
 
 }  // namespace kd

@@ -19,12 +19,12 @@ class TargetReader {
     /// The layout of shaders/fragment/pixel_io.glsl.
     void read_hits(GLuint texture, std::span<Hit> to) const;
     void read_counters(GLuint a, GLuint b, std::span<RayCounters> to) const;
+    /// All texels of an integer texture.
+    [[nodiscard]] std::vector<glm::uvec4> words(GLuint texture) const;
 
   private:
     const GlApi& gl_;
     std::size_t texels_;
-
-    [[nodiscard]] std::vector<glm::uvec4> words(GLuint texture) const;
 };
 
 }  // namespace kd

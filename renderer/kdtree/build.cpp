@@ -27,6 +27,7 @@ void check_config(const BuildConfig& config) {
     check_range("max_depth", config.max_depth, 0, max_tree_depth);
     check_range("bad_refines", config.bad_refines, 0, max_tree_depth);
     check_range("reference_cap", double(config.reference_cap), 1, 1e6);
+    check_range("bins", config.bins, fewest_bins, most_bins);
 }
 
 bool is_finite(const Triangle& triangle) {

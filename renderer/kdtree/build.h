@@ -11,6 +11,10 @@
 
 namespace kd {
 
+/// Least and most of BuildConfig::bins.
+inline constexpr int fewest_bins = 4;
+inline constexpr int most_bins = 256;
+
 /// Constants of the builders. Costs are in units of one traversal step unless said otherwise.
 struct BuildConfig {
     std::string builder = "paper";
@@ -32,6 +36,8 @@ struct BuildConfig {
     /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the scene
     /// starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
     float reference_cap = 64.0f;
+    /// Planes that the builder with bins looks at: one between every two of so many bins on each axis.
+    int bins = 32;
     /// A leaf names only triangles whose surface reaches its cell, not all whose bounding box does (the paper's choice):
     /// the same splits with a quarter fewer triangle tests.
     bool trim_leaves = true;
@@ -63,6 +69,7 @@ struct Builder {
     std::string_view title;    // "SAH as in the paper"
     std::string_view summary;  // one sentence
     KdTree (*build)(const BuildTask&);
+    bool has_bins = false;  // BuildConfig::bins matters
 };
 
 [[nodiscard]] std::span<const Builder> builders();

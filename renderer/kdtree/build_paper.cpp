@@ -33,7 +33,10 @@ class PaperSplitter : public Splitter {
         return *best;
     }
 
-    void divided(const Split& split, const CellLists& lists) override { events_.divide(split, lists.sides()); }
+    void divide(const Aabb&, const Split& split, CellLists& lists) override {
+        lists.divide(split);
+        events_.divide(split, lists.sides());
+    }
 
     void dropped() override { events_.drop(); }
 

@@ -5,6 +5,8 @@
 
 #define KD_BUILDERS(BUILDER)                                                                                           \
     BUILDER(paper)                                                                                                     \
+    BUILDER(exact)                                                                                                     \
+    BUILDER(binned)                                                                                                    \
     BUILDER(spatial_median)
 
 namespace kd {

@@ -6,11 +6,6 @@ namespace kd {
 
 namespace {
 
-unsigned sides_of(AxisRange range, float position, unsigned planar_side) {
-    const unsigned sides = (range.lower < position ? side_below : 0u) | (range.upper > position ? side_above : 0u);
-    return sides != 0 ? sides : planar_side;
-}
-
 std::vector<std::int32_t> all_numbers(std::size_t count) {
     std::vector<std::int32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -32,10 +27,10 @@ TriangleRanges::TriangleRanges(std::span<const Triangle> triangles) {
 CellLists::CellLists(const TriangleRanges& ranges)
     : ranges_(ranges), lists_(all_numbers(ranges.axis[0].size())), sides_(ranges.axis[0].size()) {}
 
-Split CellLists::count(int axis, float position) const {
-    Split split{.axis = axis, .position = position};
+Split CellLists::count(int axis, float position, bool planar_below) const {
+    Split split{.axis = axis, .position = position, .planar_below = planar_below};
     for (std::int32_t number : top()) {
-        const unsigned sides = sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], position, side_below);
+        const unsigned sides = sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], split);
         split.below += int(sides & side_below);
         split.above += int(sides >> 1);
     }
@@ -44,12 +39,15 @@ Split CellLists::count(int axis, float position) const {
 
 void CellLists::divide(const Split& split) {
     const std::vector<AxisRange>& ranges = ranges_.axis[std::size_t(split.axis)];
-    const unsigned planar_side = split.planar_below ? side_below : side_above;
     lists_.divide([&](std::int32_t number) {
-        const unsigned sides = sides_of(ranges[std::size_t(number)], split.position, planar_side);
+        const unsigned sides = sides_of(ranges[std::size_t(number)], split);
         sides_[std::size_t(number)] = std::uint8_t(sides);
         return sides;
     });
+}
+
+void CellLists::divide(const std::vector<std::uint8_t>& sides) {
+    lists_.divide([&](std::int32_t number) { return unsigned(sides[std::size_t(number)]); });
 }
 
 }  // namespace kd

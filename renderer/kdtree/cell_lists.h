@@ -16,6 +16,14 @@ struct AxisRange {
     float upper;
 };
 
+/// Side bits of a triangle that spans `range` on the split's axis: one that only touches the plane stays on its side, one
+/// that lies in it goes where the split says.
+[[nodiscard]] inline unsigned sides_of(AxisRange range, const Split& split) {
+    const unsigned sides =
+        (range.lower < split.position ? side_below : 0u) | (range.upper > split.position ? side_above : 0u);
+    return sides != 0 ? sides : split.planar_below ? side_below : side_above;
+}
+
 /// The projections of all triangles, axis by axis.
 struct TriangleRanges {
     explicit TriangleRanges(std::span<const Triangle> triangles);
@@ -31,12 +39,14 @@ class CellLists {
 
     [[nodiscard]] std::span<const std::int32_t> top() const { return lists_.top(); }
 
-    /// Counts for a split of the top cell at a given plane; triangles lying in it are counted below.
-    [[nodiscard]] Split count(int axis, float position) const;
+    /// Counts for a split of the top cell at a given plane.
+    [[nodiscard]] Split count(int axis, float position, bool planar_below = true) const;
 
-    /// A triangle goes to the sides its box reaches into: one that only touches the plane stays on its side, one that lies
-    /// in it goes where the split says.
+    /// A triangle goes to the sides its box reaches into; one that lies in the plane goes where the split says.
     void divide(const Split& split);
+
+    /// A triangle of the top cell goes where `sides`, by triangle number, says.
+    void divide(const std::vector<std::uint8_t>& sides);
 
     void drop() { lists_.drop(); }
 

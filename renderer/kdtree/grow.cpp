@@ -75,9 +75,8 @@ class Grower {
     }
 
     void make_interior(int node, const Pending& at, const Split& split) {
-        lists_.divide(split);
+        splitter_.divide(at.cell, split, lists_);
         assert(int(lists_.top().size()) == split.below);
-        splitter_.divided(split, lists_);
         tree_.nodes[std::size_t(node)].flag = split.axis;
         tree_.nodes[std::size_t(node)].split = split.position;
 

@@ -18,8 +18,8 @@ class Splitter {
     /// BuildConfig::leaf_size triangles.
     [[nodiscard]] virtual std::optional<Split> choose(const Aabb& cell, const CellLists& lists) = 0;
 
-    /// The top cell was split; the cell below is on top now.
-    virtual void divided(const Split& split, const CellLists& lists) { (void)split, (void)lists; }
+    /// Splits the top cell's lists; the cell below the split is on top afterwards.
+    virtual void divide(const Aabb& cell, const Split& split, CellLists& lists) { (void)cell, lists.divide(split); }
 
     /// The top cell became a leaf.
     virtual void dropped() {}

@@ -49,6 +49,14 @@ class ListStack {
         begins_.push_back(begin + above);
     }
 
+    /// Puts two given lists in the place of the top one.
+    void replace_by(std::span<const T> above, std::span<const T> below) {
+        items_.resize(begins_.back());
+        items_.insert(items_.end(), above.begin(), above.end());
+        begins_.push_back(items_.size());
+        items_.insert(items_.end(), below.begin(), below.end());
+    }
+
   private:
     std::vector<T> items_;
     std::vector<std::size_t> begins_{0};

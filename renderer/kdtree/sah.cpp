@@ -1,5 +1,7 @@
 #include "renderer/kdtree/sah.h"
 
+#include "renderer/kdtree/grow.h"
+
 namespace kd {
 
 SplitCost::SplitCost(const BuildConfig& config, const Aabb& cell, int axis)
@@ -49,6 +51,20 @@ std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb&
     }
     if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
     return best;
+}
+
+std::optional<Split> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
+                                    const std::array<std::span<const SweepEvent>, 3>& events) {
+    const int first_axis = longest_axis(cell);
+    std::optional<PricedSplit> best;
+    for (int i = 0; i < 3; ++i) {
+        const int axis = (first_axis + i) % 3;
+        const auto split = cheapest_split(config, cell, axis, triangles, events[std::size_t(axis)]);
+        if (split && (!best || split->cost < best->cost)) best = split;
+    }
+    if (!best) return std::nullopt;
+    best->bad = !(best->cost < leaf_cost(config, triangles));
+    return *best;
 }
 
 }  // namespace kd

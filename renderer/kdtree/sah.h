@@ -46,4 +46,8 @@ struct PricedSplit : Split {
 [[nodiscard]] std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis,
                                                         int triangles, std::span<const SweepEvent> events);
 
+/// The cheapest of all axes, bad where it costs no less than a leaf; of equals the one across the longest axis.
+[[nodiscard]] std::optional<Split> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
+                                                  const std::array<std::span<const SweepEvent>, 3>& events);
+
 }  // namespace kd

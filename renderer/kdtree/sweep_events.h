@@ -21,9 +21,19 @@ struct SweepEvent {
 /// Most triangles that SweepEvent::key can number.
 inline constexpr std::size_t sweep_triangle_limit = std::size_t(1) << 30;
 
+/// Events by side (0 below a split, 1 above) and axis.
+using PartEvents = std::array<std::array<std::vector<SweepEvent>, 3>, 2>;
+
+/// Adds the events of a triangle that spans `range` of a cell that spans `cell` on an axis: see SweepEvents for what is
+/// left out.
+void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell);
+
+/// By ascending position.
+void sort_events(std::vector<SweepEvent>& events);
+
 /// The events of the unfinished cells on each axis, by ascending position. They are sorted once, at the root, and keep
 /// their order from there on, so that a build takes O(N log N); after Wald & Havran, "On building fast kd-trees for ray
-/// tracing, and on doing that in O(N log N)", 2006, without their clipping of triangles to cells.
+/// tracing, and on doing that in O(N log N)", 2006.
 ///
 /// A cell's list leaves out starts at or before its lower face and ends at or after its upper face: a sweep counts those
 /// triangles as standing on that side from the outset.
@@ -37,10 +47,15 @@ class SweepEvents {
     /// `sides` as CellLists::divide() left it for the same split.
     void divide(const Split& split, const std::vector<std::uint8_t>& sides);
 
+    /// As divide(), but the events of triangles on both sides are left out, and those of their parts take their place,
+    /// which are sorted here.
+    void divide_clipped(const Split& split, const std::vector<std::uint8_t>& sides, PartEvents& parts);
+
     void drop();
 
   private:
     std::array<ListStack<SweepEvent>, 3> lists_;
+    PartEvents kept_, merged_;  // room for one cell
 };
 
 }  // namespace kd

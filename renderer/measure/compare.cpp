@@ -39,7 +39,7 @@ ReferenceRays ReferenceRays::every(std::size_t step) const {
     return picked;
 }
 
-void compare_hits(const ReferenceRays& reference, const RayAnswers& found, VerifyRow& row) {
+void compare_hits(const FlatScene& scene, const ReferenceRays& reference, const RayAnswers& found, VerifyRow& row) {
     for (std::size_t i = 0; i < reference.rays.size(); ++i) {
         const Hit& expected = reference.expected[i];
         const Hit& hit = found.nearest[i];
@@ -49,23 +49,23 @@ void compare_hits(const ReferenceRays& reference, const RayAnswers& found, Verif
             ++row.ties;
         else if (!bit_equal(expected, hit)) {
             ++row.mismatches;
-            fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(reference.rays[i]), exact_text(expected),
-                                  exact_text(hit)));
+            fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(scene, reference.rays[i]),
+                                  exact_text(scene, expected), exact_text(scene, hit)));
         } else if ((expected.triangle >= 0) != (found.any[i].triangle >= 0)) {
             ++row.mismatches;
-            fail(row, fmt::format("ray {}: nearest hit {}; any hit found {}", exact_text(reference.rays[i]),
-                                  exact_text(expected), exact_text(found.any[i])));
+            fail(row, fmt::format("ray {}: nearest hit {}; any hit found {}", exact_text(scene, reference.rays[i]),
+                                  exact_text(scene, expected), exact_text(scene, found.any[i])));
         }
     }
 }
 
-void compare_counters(const ReferenceRays& reference, const RayAnswers& expected, const RayAnswers& found,
-                      VerifyRow& row) {
+void compare_counters(const FlatScene& scene, const ReferenceRays& reference, const RayAnswers& expected,
+                      const RayAnswers& found, VerifyRow& row) {
     std::int64_t& mismatches = row.counter_mismatches.emplace(row.counter_mismatches.value_or(0));
     for (std::size_t i = 0; i < reference.rays.size(); ++i) {
         if (expected.counters[i] == found.counters[i]) continue;
         ++mismatches;
-        fail(row, fmt::format("ray {}: cpu counts {}; {} counts {}", exact_text(reference.rays[i]),
+        fail(row, fmt::format("ray {}: cpu counts {}; {} counts {}", exact_text(scene, reference.rays[i]),
                               counters_text(expected.counters[i]), row.tracer, counters_text(found.counters[i])));
     }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/measure/verify.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -27,16 +28,21 @@ struct ReferenceRays {
     [[nodiscard]] ReferenceRays every(std::size_t step) const;
 };
 
-/// Adds to `row` how `found` differs from the reference, and keeps the first failure's text.
-void compare_hits(const ReferenceRays& reference, const RayAnswers& found, VerifyRow& row);
+/// Adds to `row` how `found` differs from the reference, and keeps the first failure's text, in scene units.
+void compare_hits(const FlatScene& scene, const ReferenceRays& reference, const RayAnswers& found, VerifyRow& row);
 
 /// Adds to `row` the rays whose counters differ.
-void compare_counters(const ReferenceRays& reference, const RayAnswers& expected, const RayAnswers& found,
-                      VerifyRow& row);
+void compare_counters(const FlatScene& scene, const ReferenceRays& reference, const RayAnswers& expected,
+                      const RayAnswers& found, VerifyRow& row);
 
 /// The ray as a line of a ray table (ox,oy,oz,dx,dy,dz,tmin,tmax) in exact hexadecimal floats, and its source triangle.
 [[nodiscard]] std::string exact_text(const Ray& ray);
 [[nodiscard]] std::string exact_text(const Hit& hit);
 [[nodiscard]] std::string exact_text(const f64::Hit& hit);
+/// The same of what is in a scene's internal units, in scene units: what people give to `kdscope trace --rays`.
+template <class Internal>
+[[nodiscard]] std::string exact_text(const FlatScene& scene, const Internal& what) {
+    return exact_text(to_scene_units(scene, what));
+}
 
 }  // namespace kd

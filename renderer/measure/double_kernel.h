@@ -50,6 +50,10 @@ class DoubleKernel {
     bool scene_has_normals() const { return scene_.has_normals; }
     bool scene_has_textures() const { return !scene_.textures.empty(); }
     bool shadows_enabled() const { return true; }
+    bool scene_has_highlights() const { return true; }
+    bool scene_has_directional_lights() const { return true; }
+    bool scene_has_placed_lights() const { return true; }
+    bool scene_has_spot_lights() const { return true; }
     real3 scene_ambient() const { return real3(scene_.ambient); }
     real3 scene_background() const { return real3(scene_.background); }
     void fetch_bounds(real3& lower, real3& upper) const {

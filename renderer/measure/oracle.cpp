@@ -48,12 +48,12 @@ std::vector<f64::Hit> DoubleOracle::nearest(std::span<const Ray> rays, int threa
 
 double edge_distance(double u, double v) { return std::min({u, v, 1 - u - v}); }
 
-double ulps_between(float a, double b) {
-    const auto nearest = float(b);
-    if (!std::isfinite(a) || !std::isfinite(nearest)) return std::numeric_limits<double>::infinity();
-    const double ulp =
-        double(std::nextafter(std::abs(nearest), std::numeric_limits<float>::infinity())) - double(std::abs(nearest));
-    return std::abs(double(a) - b) / ulp;
+double ulps_between(double found, long double exact) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    const float nearest = std::abs(float(exact));
+    if (!std::isfinite(found) || !std::isfinite(nearest)) return double(infinite);
+    const double ulp = double(std::nextafter(nearest, infinite)) - double(nearest);
+    return double(std::abs((long double)found - exact)) / ulp;
 }
 
 HitError HitJudge::judge(const Hit& found, const f64::Hit& exact) const {
@@ -64,7 +64,7 @@ HitError HitJudge::judge(const Hit& found, const f64::Hit& exact) const {
     if (found.triangle < 0 && exact.triangle < 0) return {};
     if (found.triangle < 0) return {exact_near_edge ? tie : missed, no_number};
     if (exact.triangle < 0) return {found_near_edge ? tie : false_hit, no_number};
-    const double ulps = ulps_between(found.t, exact.t);
+    const double ulps = ulps_between(double(found.t), exact.t);
     if (found.triangle == exact.triangle) return {ulps > most_ulps ? wrong_t : agrees, ulps};
     const bool no_fault = ulps <= tie_ulps || exact_near_edge || found_near_edge;
     return {no_fault ? tie : wrong_triangle, ulps};

@@ -50,7 +50,7 @@ struct HitJudge {
 /// Least of the three barycentric coordinates: how far a hit is from the triangle's nearest edge.
 [[nodiscard]] double edge_distance(double u, double v);
 
-/// |a - b| in units in the last place of float(b).
-[[nodiscard]] double ulps_between(float a, double b);
+/// |found - exact| in units in the last place that a float has at `exact`; infinite where one of them is not finite.
+[[nodiscard]] double ulps_between(double found, long double exact);
 
 }  // namespace kd

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "renderer/cpu/scene_view.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
 
@@ -27,6 +28,21 @@ auto with_kernel(const FlatScene& scene, const Use& use) {
     NullObserver observer;
     PlainKernel kernel(view, naive, observer);
     return use(kernel);
+}
+
+/// The loop over all triangles, but for those whose boxes the ray does not come near. No hit ends it early: which triangle
+/// wins must not hang on how well t was computed.
+Hit nearest_by_boxes(PlainKernel& kernel, const TriangleBoxes& boxes, const Ray& ray) {
+    const auto s = kernel.setup_ray(ray);
+    Hit hit = kernel.no_hit(ray);
+    if (!kernel.valid_ray(s.ray)) return hit;
+    const float limit = hit.t;
+    hit.t = limit - s.t_shift;
+    const auto no_limit = [] { return std::numeric_limits<double>::max(); };
+    boxes.visit(glm::dvec3(s.ray.origin), glm::dvec3(s.inverse), double(s.slack), no_limit,
+                [&](int triangle) { kernel.intersect_triangle(s, -1, triangle, hit); });
+    hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
+    return hit;
 }
 
 }  // namespace
@@ -68,18 +84,20 @@ Hit plain_brute_force(const FlatScene& scene, const Ray& ray) {
 }
 
 Hit plain_nearest_hit(const FlatScene& scene, const TriangleBoxes& boxes, const Ray& ray) {
-    return with_kernel(scene, [&](PlainKernel& kernel) {
-        const auto s = kernel.setup_ray(ray);
-        Hit hit = kernel.no_hit(ray);
-        if (!kernel.valid_ray(s.ray)) return hit;
-        const float limit = hit.t;
-        hit.t = limit - s.t_shift;
-        const auto no_limit = [] { return std::numeric_limits<double>::max(); };
-        boxes.visit(glm::dvec3(s.ray.origin), glm::dvec3(s.inverse), double(s.slack), no_limit,
-                    [&](int triangle) { kernel.intersect_triangle(s, -1, triangle, hit); });
-        hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
-        return hit;
+    return with_kernel(scene, [&](PlainKernel& kernel) { return nearest_by_boxes(kernel, boxes, ray); });
+}
+
+std::vector<Hit> plain_nearest_hits(const FlatScene& scene, const TriangleBoxes& boxes, std::span<const Ray> rays,
+                                    int threads, const std::stop_token& stop) {
+    constexpr std::size_t rays_per_task = 64;
+    std::vector<Hit> hits(rays.size());
+    parallel_ranges(rays.size(), rays_per_task, threads, [&](std::size_t first, std::size_t last) {
+        if (stop.stop_requested()) return;
+        with_kernel(scene, [&](PlainKernel& kernel) {
+            for (std::size_t i = first; i < last; ++i) hits[i] = nearest_by_boxes(kernel, boxes, rays[i]);
+        });
     });
+    return hits;
 }
 
 }  // namespace kd

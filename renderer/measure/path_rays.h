@@ -1,6 +1,10 @@
 // Rays that leave surfaces, made by the shared text itself, compiled for the plain processor.
 #pragma once
 
+#include <span>
+#include <stop_token>
+#include <vector>
+
 #include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
 
@@ -30,5 +34,9 @@ struct LeavingRay {
 
 /// The same to the last bit, passing over triangles that the ray comes nowhere near. `boxes` are the scene's.
 [[nodiscard]] Hit plain_nearest_hit(const FlatScene& scene, const TriangleBoxes& boxes, const Ray& ray);
+/// Of many rays, on `threads` threads (0 = all). Incomplete where stopped.
+[[nodiscard]] std::vector<Hit> plain_nearest_hits(const FlatScene& scene, const TriangleBoxes& boxes,
+                                                  std::span<const Ray> rays, int threads = 0,
+                                                  const std::stop_token& stop = {});
 
 }  // namespace kd

@@ -23,13 +23,14 @@ struct WalkCounter : NullObserver {
 }  // namespace
 
 RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConfig& config, const PinholeCamera& camera,
-                     int width, int height) {
+                     int width, int height, std::stop_token stop) {
     SceneView view;
     view.scene = &scene;
     view.tree = &tree;
-    view.needs = scene_needs(scene, config);
+    view.needs = scene_needs(scene, tree, config);
     Frame walks(width, height);
     parallel_ranges(std::size_t(height), 1, 0, [&](std::size_t row, std::size_t) {
+        if (stop.stop_requested()) return;
         const int y = int(row);
         WalkCounter counter;
         Kernel<WalkCounter, Rules::robust> kernel(view, TraceConfig{}, counter);

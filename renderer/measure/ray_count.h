@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
@@ -14,8 +15,8 @@ namespace kd {
 using RayCounts = std::array<std::int64_t, pass_count>;
 
 /// Rays of each pass, exactly: all lights and all bounces. Counted on the CPU by walking the frame once more; every
-/// tracer and traversal traces the same rays.
+/// tracer and traversal traces the same rays. Incomplete where stopped.
 [[nodiscard]] RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConfig& config,
-                                   const PinholeCamera& camera, int width, int height);
+                                   const PinholeCamera& camera, int width, int height, std::stop_token stop = {});
 
 }  // namespace kd

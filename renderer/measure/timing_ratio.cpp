@@ -22,7 +22,7 @@ double fewer_heads(int k, int n) {
 std::string short_text(double value) {
     const double size = std::abs(value);
     if (size != 0 && (size < 0.01 || size >= 10000)) return fmt::format("{:.2e}", value);
-    return fmt::format("{:.{}f}", value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
+    return fmt::format("{:.{}f}", value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 || size == 0 ? 2 : 4);
 }
 
 }  // namespace

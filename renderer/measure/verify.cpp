@@ -183,8 +183,8 @@ class Verification {
             const Answers by_gl = ask(machine, mode, pixels, hard, row.seconds);
             compare(row, pixels, hard, by_gl);
             if (by_cpu) {
-                compare_counters(pixels, (*by_cpu)[0], by_gl[0], row);
-                compare_counters(hard, (*by_cpu)[1], by_gl[1], row);
+                compare_counters(scene_, pixels, (*by_cpu)[0], by_gl[0], row);
+                compare_counters(scene_, hard, (*by_cpu)[1], by_gl[1], row);
             }
             report_.rows.push_back(std::move(row));
         } catch (const InputError& error) {
@@ -215,11 +215,11 @@ class Verification {
         return row;
     }
 
-    static void compare(VerifyRow& row, const ReferenceRays& pixels, const ReferenceRays& hard, const Answers& found) {
+    void compare(VerifyRow& row, const ReferenceRays& pixels, const ReferenceRays& hard, const Answers& found) const {
         row.pixel_rays = std::int64_t(pixels.rays.size());
         row.adversarial_rays = std::int64_t(hard.rays.size());
-        compare_hits(pixels, found[0], row);
-        compare_hits(hard, found[1], row);
+        compare_hits(scene_, pixels, found[0], row);
+        compare_hits(scene_, hard, found[1], row);
     }
 
     const FlatScene& scene_;

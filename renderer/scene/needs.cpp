@@ -3,73 +3,83 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/scene/needs_sizes.h"
+
 namespace kd {
 
-namespace {
-
-/// What the materials that triangles really have call for.
-struct MaterialUse {
-    bool textured = false;
-    float largest_reflectance = 0.0f;
-};
-
-MaterialUse used_materials(const FlatScene& scene) {
-    std::vector<bool> used(scene.materials.size(), false);
-    for (const TriangleAttributes& attributes : scene.attributes) used[std::size_t(attributes.material)] = true;
-    MaterialUse use;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
-        const Material& material = scene.materials[i];
-        use.textured = use.textured || material.texture >= 0;
-        for (int channel = 0; channel < 3; ++channel)
-            use.largest_reflectance = std::max(use.largest_reflectance, material.reflectance[channel]);
-    }
-    return use;
+int compiled_levels(int deepest) {
+    for (const int levels : {8, 16, 24, 32, 48})
+        if (deepest <= levels) return levels;
+    return max_tree_depth;
 }
 
-/// Bounces after which no path can count any more: reflection_counts() of shaders/shared/passes.glsl for a path that meets
-/// nothing but the most reflective material. Rounded products keep their order, so no path counts for longer.
-int countable_bounces(float largest_reflectance, const TraceConfig& config) {
+int countable_bounces(const SceneFacts& facts, const TraceConfig& config) {
     int bounces = 0;
-    float weight = largest_reflectance;
+    float weight = facts.largest_reflectance;
     while (bounces < config.reflection_depth && weight > 0.0f && weight >= config.least_contribution) {
         ++bounces;
-        weight *= largest_reflectance;
+        weight *= facts.largest_reflectance;
     }
     return bounces;
 }
 
-std::string why_no_reflection(const FlatScene& scene, const TraceConfig& config) {
-    if (config.reflection_depth <= 0) return "switched off";
-    if (!(used_materials(scene).largest_reflectance > 0.0f)) return "no reflective material";
-    return fmt::format("no material reflects as much as the least contribution of {}", config.least_contribution);
+SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
+    SceneFacts facts;
+    facts.triangles = std::int64_t(scene.triangles.size());
+    facts.lights = int(scene.lights.size());
+    for (const Light& light : scene.lights) {
+        facts.directional_lights += light.kind == KD_LIGHT_DIRECTIONAL;
+        facts.spot_lights += light.kind == KD_LIGHT_SPOT;
+    }
+    // What no triangle has asks for nothing.
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const TriangleAttributes& attributes : scene.attributes) used[std::size_t(attributes.material)] = true;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const Material& material = scene.materials[i];
+        if (++facts.materials == 1) facts.only_material = int(i);
+        facts.textures = facts.textures || material.texture >= 0;
+        for (int channel = 0; channel < 3; ++channel) {
+            facts.largest_reflectance = std::max(facts.largest_reflectance, material.reflectance[channel]);
+            facts.highlights = facts.highlights || material.specular[channel] != 0.0f;
+        }
+    }
+    facts.normals = scene.has_normals;
+    facts.deepest_leaf = std::ranges::max(node_depths(tree));
+    return facts;
 }
 
-}  // namespace
-
-SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config) {
-    const MaterialUse use = used_materials(scene);
+SceneNeeds scene_needs(const SceneFacts& facts, const TraceConfig& config) {
     SceneNeeds needs;
-    needs.textures = use.textured;
-    needs.normals = scene.has_normals;
-    needs.shadows = config.shadows && !scene.lights.empty();
-    needs.bounces = countable_bounces(use.largest_reflectance, config);
-    needs.reflections = needs.bounces > 0;
+    for (const FeatureInfo& feature : features()) {
+        const FeatureNeed need = feature.need(facts, config);
+        needs.*feature.in_use = need.needed || (need.can_return && config.forced.has(feature.id));
+    }
+    if (needs.reflections) needs.bounces = std::max(countable_bounces(facts, config), 1);
+    if (needs.later_bounces) needs.bounces = config.reflection_depth;
+    needs.lights = needs.many_lights ? 0 : std::min(facts.lights, 1);
+    needs.only_material = needs.material_numbers ? 0 : facts.only_material;
+    needs.levels = needs.deep_tree ? max_tree_depth : compiled_levels(facts.deepest_leaf);
     return needs;
 }
 
-std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene, const TraceConfig& config) {
+SceneNeeds scene_needs(const FlatScene& scene, const KdTree& tree, const TraceConfig& config) {
+    return scene_needs(scene_facts(scene, tree), config);
+}
+
+std::vector<Feature> removable(const SceneFacts& facts, const TraceConfig& config, bool on_cpu) {
+    std::vector<Feature> found;
+    for (const FeatureInfo& feature : features())
+        if (feature.need(facts, config).can_return && (feature.on_cpu || !on_cpu)) found.push_back(feature.id);
+    return found;
+}
+
+std::vector<std::string> left_out(const SceneFacts& facts, const TraceConfig& config) {
+    const SceneNeeds needs = scene_needs(facts, config);
     std::vector<std::string> lines;
-    if (!needs.reflections) {
-        lines.push_back("RTRefl, ShadeRefl: " + why_no_reflection(scene, config));
-    } else if (needs.bounces < config.reflection_depth) {
-        lines.push_back(
-            fmt::format("RTRefl, ShadeRefl after bounce {}: no path can still reach the least contribution of {}",
-                        needs.bounces, config.least_contribution));
-    }
-    if (!needs.textures) lines.emplace_back("texture fetch: no textured material");
-    if (!needs.normals) lines.emplace_back("interpolated normals: all normals are flat");
-    if (!needs.shadows) lines.emplace_back(config.shadows ? "shadow rays: no light" : "shadow rays: switched off");
+    for (const FeatureInfo& feature : features())
+        if (!(needs.*feature.in_use))
+            lines.push_back(fmt::format("{}: {}", feature.title, feature.need(facts, config).why));
     return lines;
 }
 

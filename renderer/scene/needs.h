@@ -1,28 +1,88 @@
-// What a scene and its settings call for, and so what is left out.
+// What a scene and its settings call for, and so what is left out: one table of features.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/trace_config.h"
 
 namespace kd {
 
+/// What scene and tree hold, as far as features ask for it. Looking costs time in proportion to triangles and nodes.
+struct SceneFacts {
+    std::int64_t triangles = 0;
+    int lights = 0, directional_lights = 0, spot_lights = 0;
+    int materials = 0;                 // that triangles have
+    int only_material = 0;             // where that is one
+    float largest_reflectance = 0.0f;  // of these, 0..1
+    bool highlights = false;           // one of these has a specular colour
+    bool textures = false;             // one of these has an image
+    bool normals = false;              // FlatScene::has_normals
+    int deepest_leaf = 0;              // levels below the root
+};
+
+[[nodiscard]] SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree);
+
+/// What tracing holds ready: the features in use, and the numbers that programs and tables are made for.
 struct SceneNeeds {
+    bool reflections = false;  // RTRefl and ShadeRefl run
+    bool later_bounces = false;
+    bool shadows = false;
+    bool many_lights = false;
+    bool directional_lights = false;
+    bool placed_lights = false;
+    bool spot_lights = false;
+    bool highlights = false;
     bool textures = false;
     bool normals = false;
-    bool shadows = false;
-    bool reflections = false;  // RTRefl and ShadeRefl run
-    int bounces = 0;
+    bool material_numbers = false;
+    bool wide_references = false;
+    bool deep_tree = false;
+    bool node_boxes = false;
+    bool leaf_copies = false;
+    bool counters = true;
+    bool exact_products = true;
+    int bounces = 0;              // most that a path is followed for
+    int lights = 0;               // where there are not many
+    int only_material = 0;        // where there are no material numbers
+    int levels = max_tree_depth;  // of the tree that stacks have room for
 
     bool operator==(const SceneNeeds&) const = default;
 };
 
-[[nodiscard]] SceneNeeds scene_needs(const FlatScene& scene, const TraceConfig& config);
+/// What a feature is to one scene and its settings.
+struct FeatureNeed {
+    bool needed = false;
+    std::string why;          // part of a sentence: "no textured material"
+    bool can_return = false;  // where it is not needed: nothing changes in the picture when it is put back
+};
 
-/// One line each: what is left out and why ("RTRefl, ShadeRefl: no reflective material").
-[[nodiscard]] std::vector<std::string> left_out(const SceneNeeds& needs, const FlatScene& scene,
-                                                const TraceConfig& config);
+/// A row of the table. To add a feature, see the checklist in CONTRIBUTING.md.
+struct FeatureInfo {
+    Feature id;
+    std::string_view name;     // on the command line
+    std::string_view title;    // for people
+    std::string_view summary;  // what it is and where it costs
+    bool SceneNeeds::*in_use;
+    bool on_cpu;  // left out of CPU traces too; where false the CPU always has it, or never
+    FeatureNeed (*need)(const SceneFacts& facts, const TraceConfig& config);
+};
+
+[[nodiscard]] std::span<const FeatureInfo> features();
+[[nodiscard]] const FeatureInfo& info(Feature feature);
+
+/// TraceConfig::forced features are in use where they can return.
+[[nodiscard]] SceneNeeds scene_needs(const SceneFacts& facts, const TraceConfig& config);
+[[nodiscard]] SceneNeeds scene_needs(const FlatScene& scene, const KdTree& tree, const TraceConfig& config);
+
+/// Features that are not needed and can return, whether or not they are forced now: what verify and timings put back.
+[[nodiscard]] std::vector<Feature> removable(const SceneFacts& facts, const TraceConfig& config, bool on_cpu);
+
+/// One line for each feature that is not in use: "RTRefl, ShadeRefl: no reflective material".
+[[nodiscard]] std::vector<std::string> left_out(const SceneFacts& facts, const TraceConfig& config);
 
 }  // namespace kd

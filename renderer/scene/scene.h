@@ -1,6 +1,7 @@
 // A scene as people describe it, and the flat form that trees and tracers use.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <optional>
@@ -66,6 +67,13 @@ struct FlatScene {
     bool has_normals = false;  // some vertex normal differs from the geometric one
     std::vector<std::string> notes;
 };
+
+/// Of a triangle's corners; zero, which leaves the flat normal in place, where no vertex normal of the scene differs.
+[[nodiscard]] inline std::array<Vec3, 3> vertex_normals(const FlatScene& scene, int triangle) {
+    if (!scene.has_normals) return {Vec3(0.0f), Vec3(0.0f), Vec3(0.0f)};
+    const TriangleAttributes& t = scene.attributes[std::size_t(triangle)];
+    return {t.normal[0], t.normal[1], t.normal[2]};
+}
 
 /// Applies the instance transforms (in double), drops triangles that are degenerate or not finite (counted in `notes`),
 /// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.

@@ -1,6 +1,7 @@
 // How a frame is traced, whatever traces it.
 #pragma once
 
+#include "renderer/trace/feature.h"
 #include "renderer/trace/rules.h"
 #include "renderer/trace/traversal.h"
 
@@ -18,6 +19,7 @@ struct TraceConfig {
     float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255
     bool counters = true;
     int step_budget = 0;  // steps after which a walk is ended and flagged; 0 = the tracer's own, which is also the most
+    FeatureSet forced{};  // kept though nothing asks for them: the picture stays the same (renderer/scene/needs.h)
 
     bool operator==(const TraceConfig&) const = default;
 };

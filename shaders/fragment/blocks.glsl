@@ -8,7 +8,7 @@ struct SceneBlock {
     real4 ambient;
     real4 background;
     int4 counts;
-    int4 limits; // steps per ray, rounds of the loop check
+    int4 limits; // steps per ray, rounds of the loop check, the material where all triangles have one
 };
 
 /// What a draw fixes. image = width, height; rays = any_hit, number of rays, rays per row.

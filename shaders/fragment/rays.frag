@@ -1,18 +1,8 @@
-// Traces rays from a table instead of a camera's: three texels of bits per ray.
+// Traces rays from a table instead of a camera's.
 
 #include "tracer.glsl"
 #include "pixel_io.glsl"
-
-layout(binding = 10) uniform usamplerBuffer kd_rays; // origin, t_min | direction, t_max | source
-
-Ray fetch_ray(int index)
-{
-    uvec4 first = texelFetch(kd_rays, 3 * index);
-    uvec4 second = texelFetch(kd_rays, 3 * index + 1);
-    uvec4 third = texelFetch(kd_rays, 3 * index + 2);
-    return Ray(uintBitsToFloat(first.xyz), uintBitsToFloat(second.xyz), uintBitsToFloat(first.w),
-               uintBitsToFloat(second.w), int(third.x));
-}
+#include "ray_io.glsl"
 
 void main()
 {

@@ -12,6 +12,8 @@ float depth_of(Path path)
     if (path.hit.triangle < 0) return 1.0;
 #if KD_PUBLISHED_DEPTH
     return 0.0;
+#elif !KD_REFLECTIONS
+    return 0.25;
 #else
     return goes_on(path) ? 0.0 : 0.25;
 #endif

@@ -15,7 +15,7 @@ KdNode fetch_node(int node)
 
 int fetch_reference(int slot)
 {
-    return texelFetch(kd_references, slot).x;
+    return int(texelFetch(kd_references, slot).x);
 }
 
 void fetch_node_box(int node, out real3 lower, out real3 upper)
@@ -71,7 +71,11 @@ real2 fetch_texture_coordinates(int triangle, real u, real v)
 
 int fetch_material_index(int triangle)
 {
+#if KD_MATERIAL_NUMBERS
     return texelFetch(kd_material_index, triangle).x;
+#else
+    return scene.limits.z;
+#endif
 }
 
 Material fetch_material(int index)
@@ -120,10 +124,14 @@ real3 fetch_texel(int index, int x, int y)
 }
 
 int triangle_count() { return scene.counts.x; }
-int light_count() { return scene.counts.y; }
+int light_count() { return KD_LIGHTS < 0 ? scene.counts.y : KD_LIGHTS; }
 int step_budget() { return scene.limits.x; }
 bool scene_has_normals() { return KD_NORMALS != 0; }
 bool scene_has_textures() { return KD_TEXTURES != 0; }
 bool shadows_enabled() { return KD_SHADOWS != 0; }
+bool scene_has_highlights() { return KD_HIGHLIGHTS != 0; }
+bool scene_has_directional_lights() { return KD_DIRECTIONAL_LIGHTS != 0; }
+bool scene_has_placed_lights() { return KD_PLACED_LIGHTS != 0; }
+bool scene_has_spot_lights() { return KD_SPOT_LIGHTS != 0; }
 real3 scene_ambient() { return scene.ambient.xyz; }
 real3 scene_background() { return scene.background.xyz; }

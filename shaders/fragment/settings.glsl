@@ -20,13 +20,41 @@
 #ifndef KD_SHADOWS
 #define KD_SHADOWS 1
 #endif
+#ifndef KD_REFLECTIONS
+#define KD_REFLECTIONS 1
+#endif
+#ifndef KD_HIGHLIGHTS
+#define KD_HIGHLIGHTS 1
+#endif
+#ifndef KD_DIRECTIONAL_LIGHTS
+#define KD_DIRECTIONAL_LIGHTS 1
+#endif
+#ifndef KD_PLACED_LIGHTS
+#define KD_PLACED_LIGHTS 1
+#endif
+#ifndef KD_SPOT_LIGHTS
+#define KD_SPOT_LIGHTS 1
+#endif
 
-// The traversal, and how many pending nodes its stack holds.
+// How many lights there are; -1: as many as the scene's block says.
+#ifndef KD_LIGHTS
+#define KD_LIGHTS -1
+#endif
+
+// 0: all triangles have the material that the scene's block names.
+#ifndef KD_MATERIAL_NUMBERS
+#define KD_MATERIAL_NUMBERS 1
+#endif
+
+// The traversal, how many pending nodes its stack holds, and whether a trail of 32 levels is too short.
 #ifndef KD_TRAVERSE
 #define KD_TRAVERSE traverse_stack
 #endif
 #ifndef KD_STACK_SIZE
 #define KD_STACK_SIZE 64
+#endif
+#ifndef KD_LONG_TRAIL
+#define KD_LONG_TRAIL 1
 #endif
 
 // How a walk decides: KD_RULES_ROBUST or another KD_RULES_... of shared/constants.glsl.

@@ -7,7 +7,7 @@
 
 layout(location = 3) out vec4 out_colour;
 
-#if KD_LATER_BOUNCE
+#if KD_LATER_BOUNCE && KD_SHADOWS
 layout(binding = 15) uniform usampler2D kd_earlier_hit;
 #endif
 
@@ -17,7 +17,7 @@ void main()
     int2 pixel = this_pixel();
     begin_counters(pixel);
     Hit first_blocked = nothing_found();
-#if KD_LATER_BOUNCE
+#if KD_LATER_BOUNCE && KD_SHADOWS
     first_blocked = unpack_hit(texelFetch(kd_earlier_hit, pixel, 0));
 #endif
     Path path = reflected_path(pixel);

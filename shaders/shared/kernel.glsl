@@ -8,11 +8,12 @@
 //           int fetch_material_index(int triangle)          Material fetch_material(int)   Light fetch_light(int)
 //           int2 fetch_texture_size(int)                    real3 fetch_texel(int texture, int x, int y)
 //           int triangle_count()   int light_count()        int step_budget()
-// Settings: bool scene_has_normals()   bool scene_has_textures()   bool shadows_enabled()
+// Settings: bool scene_has_normals()   bool scene_has_textures()   bool shadows_enabled()   bool scene_has_highlights()
+//           bool scene_has_directional_lights()   bool scene_has_placed_lights()   bool scene_has_spot_lights()
 //           real3 scene_ambient()      real3 scene_background()
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)
-// Macros:   KD_TRAVERSE (function to call), KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_CORRECTED_ROUNDING, KD_STACK_SIZE, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
+// Macros:   KD_TRAVERSE (function to call), KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_CORRECTED_ROUNDING, KD_STACK_SIZE, KD_LONG_TRAIL, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
 //           AXIS(vector, axis) (component by number), IS_NAN(x)
 
 #include "vector.glsl"

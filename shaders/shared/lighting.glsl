@@ -11,7 +11,8 @@ struct LightSample {
 KD_FN LightSample sample_light(IN(Light) light, real3 position)
 {
     LightSample s;
-    if (light.kind == KD_LIGHT_DIRECTIONAL) {
+    // What the scene has not is not asked for.
+    if (scene_has_directional_lights() && (light.kind == KD_LIGHT_DIRECTIONAL || !scene_has_placed_lights())) {
         s.direction = -light.direction;
         s.distance = KD_T_LIMIT;
         s.colour = light.colour;
@@ -25,7 +26,7 @@ KD_FN LightSample sample_light(IN(Light) light, real3 position)
     PRECISE real falloff = max(light.attenuation.x + light.attenuation.y * squared, real(1e-6));
     PRECISE real strength = real(1) / falloff;
     if (light.range > real(0) && s.distance > light.range) strength = real(0);
-    if (light.kind == KD_LIGHT_SPOT) {
+    if (scene_has_spot_lights() && light.kind == KD_LIGHT_SPOT) {
         real cosine = -dot3(s.direction, light.direction);
         real width = max(light.cos_inner - light.cos_outer, real(1e-6));
         real edge = min(max((cosine - light.cos_outer) / width, real(0)), real(1));
@@ -62,10 +63,14 @@ KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
             }
         }
         if (facing) {
-            real3 halfway = normalise3(light.direction + to_viewer);
-            real gloss = max(dot3(s.shading, halfway), real(0));
-            real highlight = gloss > real(0) ? pow(gloss, s.material.shininess) : real(0);
-            total = total + light.colour * add_scaled3(scale3(s.material.diffuse, cosine), s.material.specular, highlight);
+            real3 reflected = scale3(s.material.diffuse, cosine);
+            if (scene_has_highlights()) {
+                real3 halfway = normalise3(light.direction + to_viewer);
+                real gloss = max(dot3(s.shading, halfway), real(0));
+                real highlight = gloss > real(0) ? pow(gloss, s.material.shininess) : real(0);
+                reflected = add_scaled3(reflected, s.material.specular, highlight);
+            }
+            total = total + light.colour * reflected;
         }
     }
     return total;

@@ -2,30 +2,37 @@
 // Where to go next is kept as a restart trail (Laine, "Restart Trail for Stackless BVH Traversal", HPG 2010): one bit per
 // level, set once the far child is taken. The trail only grows as a binary number, so every walk ends.
 
-/// Bits 0..63, one per level of the tree.
+/// One bit per level of the tree: 0..63, or 0..31 where no tree is deeper.
 struct Trail {
     uint low;
+#if KD_LONG_TRAIL
     uint high;
+#endif
 };
 
 KD_FN bool trail_bit(IN(Trail) trail, int level)
 {
-    return level < 32 ? (trail.low >> uint(level) & 1u) != 0u : (trail.high >> uint(level - 32) & 1u) != 0u;
+#if KD_LONG_TRAIL
+    if (level >= 32) return (trail.high >> uint(level - 32) & 1u) != 0u;
+#endif
+    return (trail.low >> uint(level) & 1u) != 0u;
 }
 
 /// Sets the bit of `level` and clears those of all deeper levels.
 KD_FN Trail advance_trail(IN(Trail) trail, int level)
 {
     Trail next;
-    if (level < 32) {
-        uint bit = 1u << uint(level);
-        next.low = (trail.low & (bit - 1u)) | bit;
-        next.high = 0u;
-    } else {
-        uint bit = 1u << uint(level - 32);
+#if KD_LONG_TRAIL
+    if (level >= 32) {
+        uint high_bit = 1u << uint(level - 32);
         next.low = trail.low;
-        next.high = (trail.high & (bit - 1u)) | bit;
+        next.high = (trail.high & (high_bit - 1u)) | high_bit;
+        return next;
     }
+    next.high = 0u;
+#endif
+    uint bit = 1u << uint(level);
+    next.low = (trail.low & (bit - 1u)) | bit;
     return next;
 }
 
@@ -37,7 +44,9 @@ KD_FN void traverse_restart(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 
     Trail trail;
     trail.low = 0u;
+#if KD_LONG_TRAIL
     trail.high = 0u;
+#endif
     int turned_at = -1; // level of the last change of the trail; nodes down to it have been seen before
     int budget = step_budget();
 

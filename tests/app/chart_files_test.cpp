@@ -18,7 +18,7 @@ Chart sample() {
     Chart chart;
     chart.title = "it's `touch broken` \"$HOME\" & <b>";
     chart.x = axis_of_names("scene", {"ball", "rooms_1"});
-    chart.y = {"ms", true, 1, 100, {{1, "1"}, {10, "10"}, {100, "100"}}};
+    chart.y = {"ms", true, 1, 100, {{1, "1"}, {10, "10"}, {100, "100 %"}}};
     chart.curves = {{"bars", Ink::cpu, Stroke::solid, {{0, 30, false, "", {}, ChartInterval{20, 35}}}, Form::bars},
                     {"line", Ink::gpu, Stroke::dashed, {{0, 3}, {1, 8, true, "", {}, {}, "best", true}}},
                     {"points", Ink::green, Stroke::solid, {{1, 20}}, Form::points}};

@@ -65,6 +65,8 @@ TEST(C04, BuilderConstants) {
                     {{"--empty-bonus", "nan"}, {"--empty-bonus", "'nan'"}},
                     {{"--traversal-cost", "-1"}, {"--traversal-cost", "'-1'"}},
                     {{"--intersection-cost", "inf"}, {"--intersection-cost", "'inf'"}},
+                    {{"--bins", "3"}, {"--bins", "'3'", "4 to 256"}},
+                    {{"--bins", "257"}, {"--bins", "'257'", "4 to 256"}},
                     {{"--reference-cap", "0"}, {"--reference-cap", "'0'"}},
                     {{"--reference-cap", "1e7"}, {"--reference-cap", "'1e7'"}}});
 }

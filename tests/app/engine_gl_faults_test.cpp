@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-#include "app/engine.h"
+#include "tests/app/engine_run.h"
 #include "tests/support/faulty_shaders.h"
 
 namespace kd {
@@ -20,10 +20,6 @@ class EngineGlFaults : public testing::Test {
         } catch (const ContextError& error) {
             GTEST_SKIP() << "NO CONTEXT: " << error.what();
         }
-        session.scene = "ball:300";
-        session.width = 64;
-        session.height = 48;
-        session.threads = 1;
     }
     void TearDown() override {
         unsetenv("KDSCOPE_FAULT");
@@ -47,12 +43,7 @@ class EngineGlFaults : public testing::Test {
     }
 
     static bool settle(Engine& engine) {
-        for (int i = 0; i < 60000; ++i) {
-            engine.poll();
-            if (!engine.state().stale() && !engine.state().working() && engine.state().gl.known) return true;
-            std::this_thread::sleep_for(1ms);
-        }
-        return false;
+        return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working() && s.gl.known; });
     }
 
     static int messages_with(const EngineState& state, const std::string& part) {
@@ -61,7 +52,7 @@ class EngineGlFaults : public testing::Test {
         return count;
     }
 
-    Session session;
+    Session session = small_session();
     std::atomic<int> opened = 0;
 };
 

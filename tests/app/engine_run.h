@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/engine.h"
+#include "tests/support/patience.h"
 
 namespace kd {
 
@@ -25,15 +26,16 @@ inline EngineOptions quiet() {
     return options;
 }
 
-/// Polls until `done` holds; false after ten seconds.
+/// Polls until `done` holds; false where patience ends.
 template <class Done>
 bool wait_until(Engine& engine, const Done& done) {
-    for (int i = 0; i < 10000; ++i) {
+    const auto end = std::chrono::steady_clock::now() + test::patience();
+    while (true) {
         engine.poll();
         if (done(engine.state())) return true;
+        if (std::chrono::steady_clock::now() > end) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return false;
 }
 
 inline bool settle(Engine& engine) {

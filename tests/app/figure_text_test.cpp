@@ -57,6 +57,8 @@ TEST(FigureText, CaptionNamesWhatDiffersFromTheDefault) {
     };
     EXPECT_NE(caption_of(facts).find(with("")), std::string::npos) << caption_of(facts);
     EXPECT_NE(caption_of(facts).find("depth limit 9, bad splits 5, reference cap 12)"), std::string::npos);
+    facts.build.builder = "binned";
+    EXPECT_NE(caption_of(facts).find("leaf 2, 32 bins, depth limit 9"), std::string::npos) << caption_of(facts);
     facts.tracer = TracerKind::gl_fragment;
     EXPECT_NE(caption_of(facts).find(with(", early z as published")), std::string::npos) << caption_of(facts);
 }

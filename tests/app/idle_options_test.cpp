@@ -75,9 +75,16 @@ TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
     EXPECT_NE(notes({"--context", "egl"}).find("--context has no effect"), std::string::npos);
     EXPECT_NE(notes({"--seed", "4"}).find("nothing in cornell is random"), std::string::npos);
     EXPECT_NE(notes({"--no-legend"}).find("--no-legend has no effect"), std::string::npos);
+    EXPECT_NE(notes({"--bins", "16"}).find("--builder binned"), std::string::npos);
+    EXPECT_EQ(notes({"--bins", "16", "--builder", "binned"}), "");
     EXPECT_NE(notes({"--traversal", "naive", "--leaf-lists", "duplicated"}).find("--leaf-lists"), std::string::npos);
     EXPECT_NE(notes({"--reflection-depth", "0", "--min-contribution", "0.1"}).find("--min-contribution"),
               std::string::npos);
+}
+
+TEST(IdleOptions, BinsActWhereAllBuildersDo) {
+    EXPECT_NE(run_kdscope({"stats", "cornell", "--bins", "16"}).err.find("--bins has no effect"), std::string::npos);
+    EXPECT_EQ(run_kdscope({"stats", "cornell", "--bins", "16", "--builders"}).err, "");
 }
 
 TEST(IdleOptions, OtherCommandsRefuseContradictions) {

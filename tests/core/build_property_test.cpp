@@ -6,9 +6,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "renderer/kdtree/build.h"
+#include "renderer/kdtree/clip.h"
 #include "renderer/kdtree/encode.h"
 #include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
@@ -36,6 +38,7 @@ rc::Gen<BuildConfig> any_config() {
                                        rc::gen::set(&BuildConfig::max_depth, rc::gen::inRange(0, 20)),
                                        rc::gen::set(&BuildConfig::bad_refines, rc::gen::inRange(0, 8)),
                                        rc::gen::set(&BuildConfig::reference_cap, real(4, 80, 0.25f)),
+                                       rc::gen::set(&BuildConfig::bins, rc::gen::inRange(fewest_bins, most_bins + 1)),
                                        rc::gen::set(&BuildConfig::trim_leaves, rc::gen::arbitrary<bool>()));
 }
 
@@ -116,32 +119,76 @@ double least_cost(const BuildConfig& config, const Aabb& cell, const std::vector
     return least;
 }
 
-/// Every split of the paper's builder is the one that its rule asks for, found again by trying all.
-void check_choices(const std::vector<Triangle>& triangles, const BuildConfig& config) {
+/// Boxes of triangles by their numbers.
+using Boxes = std::map<int, Aabb>;
+
+Boxes boxes_of(const std::vector<Triangle>& triangles, const std::set<int>& numbers) {
+    Boxes boxes;
+    for (const int t : numbers) boxes[t] = bounds_of(triangles[std::size_t(t)]);
+    return boxes;
+}
+
+/// What the boxes of a node's triangles become in its child: cut triangles are clipped.
+Boxes clipped_boxes(const std::vector<Triangle>& triangles, const Boxes& whole, const std::set<int>& numbers,
+                    const TreeNode& parent, const Aabb& cell) {
+    Boxes boxes;
+    for (const int t : numbers) {
+        const Aabb box = whole.at(t);
+        boxes[t] = box;
+        if (!(box.lower[parent.flag] < parent.split && parent.split < box.upper[parent.flag])) continue;
+        const Aabb known{glm::max(box.lower, cell.lower), glm::min(box.upper, cell.upper)};
+        boxes[t] = clipped_bounds(triangles[std::size_t(t)], cell, known);
+    }
+    return boxes;
+}
+
+/// How a builder that sweeps chooses.
+struct SweepRule {
+    std::string builder;
+    bool longest_first = false;  // other axes only where the longest does not pay
+    bool clips = false;
+};
+
+/// Every split is the one that the rule asks for, found again by trying all.
+void check_choices(const std::vector<Triangle>& triangles, BuildConfig config, const SweepRule& rule) {
+    config.builder = rule.builder;
+    config.trim_leaves = false;  // the costs go by boxes
     const KdTree tree = build_tree(triangles, config);
     const std::vector<Aabb> cells = node_boxes(tree);
     const std::vector<std::set<int>> inside = triangles_below(tree);
+    std::vector<Boxes> boxes(tree.nodes.size());
+    boxes[0] = boxes_of(triangles, inside[0]);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
         if (node.is_leaf()) continue;
-        std::vector<Aabb> boxes;
-        for (int t : inside[i]) boxes.push_back(bounds_of(triangles[std::size_t(t)]));
-        const int longest = longest_axis(cells[i]);
-        double expected = least_cost(config, cells[i], boxes, longest);
-        if (!(expected < leaf_cost(config, int(boxes.size())))) {
-            for (int axis = 0; axis < 3; ++axis) {
-                expected = std::min(expected, least_cost(config, cells[i], boxes, axis));
-            }
-        }
-        RC_ASSERT(counted_cost(SplitCost(config, cells[i], node.flag), boxes, node.flag, node.split) == expected);
+        std::vector<Aabb> here;
+        for (const auto& [number, box] : boxes[i]) here.push_back(box);
+        double expected = least_cost(config, cells[i], here, longest_axis(cells[i]));
+        if (!rule.longest_first || !(expected < leaf_cost(config, int(here.size()))))
+            for (int axis = 0; axis < 3; ++axis)
+                expected = std::min(expected, least_cost(config, cells[i], here, axis));
+        RC_ASSERT(counted_cost(SplitCost(config, cells[i], node.flag), here, node.flag, node.split) == expected);
+
+        for (const std::size_t child : {i + 1, std::size_t(node.link)})
+            boxes[child] = rule.clips ? clipped_boxes(triangles, boxes[i], inside[child], node, cells[child])
+                                      : boxes_of(triangles, inside[child]);
     }
 }
 
 RC_GTEST_PROP(BuildProperty, PaperSplitsAreTheCheapest, ()) {
+    check_choices(*triangles_of(coarse_coordinate()), *any_config(), {.builder = "paper", .longest_first = true});
+}
+
+RC_GTEST_PROP(BuildProperty, ExactSplitsAreTheCheapestOfTheParts, ()) {
+    check_choices(*triangles_of(coarse_coordinate()), *any_config(), {.builder = "exact", .clips = true});
+}
+
+RC_GTEST_PROP(BuildProperty, BinnedSplitsOfSmallCellsAreTheCheapest, ()) {
     BuildConfig config = *any_config();
-    config.trim_leaves = false;  // the costs go by boxes
-    config.builder = "paper";
-    check_choices(*triangles_of(coarse_coordinate()), config);
+    config.bins = most_bins;
+    const std::vector<Triangle> triangles = *triangles_of(coarse_coordinate());
+    RC_PRE(triangles.size() <= std::size_t(most_bins));
+    check_choices(triangles, config, {.builder = "binned"});
 }
 
 RC_GTEST_PROP(BuildProperty, HoldsForCoarseTriangles, ()) {

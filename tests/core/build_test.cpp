@@ -8,9 +8,9 @@
 #include <ostream>
 #include <set>
 
-#include "renderer/geometry/input_error.h"
 #include "tests/core/tree_checks.h"
 #include "tests/core/tree_samples.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scenes.h"
 
 namespace kd {
@@ -230,12 +230,7 @@ TEST(Build, DepthLimitFollowsTheConfig) {
 }
 
 std::string refusal(const BuildConfig& config, const std::vector<Triangle>& triangles = {}) {
-    try {
-        (void)build_tree(triangles, config);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { (void)build_tree(triangles, config); });
 }
 
 TEST(Build, RefusesConstantsOutOfRange) {
@@ -254,6 +249,8 @@ TEST(Build, RefusesConstantsOutOfRange) {
     expect({.leaf_size = -1}, "leaf_size is -1", "from 0 to");
     expect({.max_depth = 65}, "max_depth is 65", "from 0 to 64");
     expect({.bad_refines = -1}, "bad_refines is -1", "from 0 to 64");
+    expect({.bins = 3}, "bins is 3", "from 4 to 256");
+    expect({.bins = 257}, "bins is 257", "from 4 to 256");
     expect({.reference_cap = 0.5f}, "reference_cap is 0.5", "from 1 to");
     EXPECT_EQ(refusal({}), "accepted");
 }

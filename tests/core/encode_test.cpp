@@ -6,22 +6,15 @@
 
 #include <functional>
 
-#include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/build.h"
 #include "tests/core/tree_samples.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scenes.h"
 
 namespace kd {
 namespace {
 
-std::string refusal(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
+using test::refusal;
 
 TEST(Encode, TexelsOfTwoLeaves) {
     const std::vector<Vec4> expected{{0, 0.5f, 2, -1}, {3, 1, 0, 0}, {3, 1, 1, 0}};

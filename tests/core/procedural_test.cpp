@@ -12,6 +12,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/sphere_shapes.h"
+#include "tests/support/refusal.h"
 
 namespace kd {
 namespace {
@@ -19,12 +20,7 @@ namespace {
 FlatScene flat_scene(std::string_view name, unsigned seed = 1) { return flatten(make_procedural(name, seed).value()); }
 
 std::string refusal(std::string_view name) {
-    try {
-        (void)make_procedural(name);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { (void)make_procedural(name); });
 }
 
 /// Hits of the primary rays of a size x size image.

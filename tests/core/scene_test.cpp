@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "renderer/geometry/input_error.h"
 #include "renderer/scene/flat_shapes.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/random.h"
 #include "renderer/scene/units.h"
+#include "tests/support/refusal.h"
 
 namespace kd {
 namespace {
@@ -55,12 +55,7 @@ bool has_note(const FlatScene& flat, const std::string& note) {
 }
 
 std::string refusal(const Scene& scene) {
-    try {
-        (void)flatten(scene);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { (void)flatten(scene); });
 }
 
 TEST(Flatten, EmptySceneHasNoTrianglesButCanBeTraced) {

@@ -20,6 +20,20 @@ drop "$KD_SOURCE_DIR/README.md"
 wait_for '^messages.*README.md.*not a .gltf or .glb file'
 [[ $(value settings.scene) == *Würfel* ]] || fail "the scene before is gone: $(value settings.scene)"
 
+# Typed: a name with its size, then a path; a wrong one is told.
+open_typed() {
+    click_on "SCENE/open"
+    xdotool type --delay 20 "$1"
+    press Return
+}
+open_typed scatter:700
+wait_for '^scene.triangles=700$'
+open_typed "$KD_SOURCE_DIR/tests/fixtures/app/large_square.gltf"
+wait_for '^scene.triangles=2$'
+open_typed nowhere:3
+wait_for '^messages.*nowhere'
+wait_for '^scene.triangles=2$'
+
 kill -TERM "$window_pid" && wait "$window_pid"
 window_pid=
 start_window ball:300

@@ -1,6 +1,7 @@
 # What the tests of the window share: a virtual screen, the window in it, its state file. Sourced first by every window_*.sh.
 
 SCREEN=${SCREEN:-1280x720}
+PATIENCE=${KD_PATIENCE:-1}  # times as long is waited; sanitizers make everything slower
 
 skip() {
     echo "SKIPPED: $*"
@@ -19,7 +20,7 @@ fi
 rm -rf work && mkdir work && cd work || exit 1
 export KDSCOPE_STATE_FILE=$PWD/state.json
 export XDG_CONFIG_HOME=$PWD/config
-export KDSCOPE_EXIT_AFTER_S=900
+export KDSCOPE_EXIT_AFTER_S=$((PATIENCE > 1 ? 1700 : 900))
 window_pid=
 
 fail() {
@@ -58,7 +59,7 @@ value() { state | sed -n "s/^${1//./\\.}=//p"; }
 
 # Waits until the state has a line that matches the regular expression: wait_for '^frame.scale=1$' [seconds].
 wait_for() {
-    local end=$((SECONDS + ${2:-60}))
+    local end=$((SECONDS + PATIENCE * ${2:-60}))
     until [[ -f $KDSCOPE_STATE_FILE ]] && state | grep -qE "$1"; do
         kill -0 "$window_pid" 2>/dev/null || fail "the window is gone, waiting for $1"
         ((SECONDS < end)) || fail "not reached: $1"
@@ -68,7 +69,7 @@ wait_for() {
 
 # Waits until the screen answers COUNT more inputs of a KIND than the number BEFORE: answered KIND BEFORE COUNT.
 answered() {
-    local end=$((SECONDS + 60))
+    local end=$((SECONDS + PATIENCE * 60))
     until (($(inputs "$1") >= $2 + $3)); do
         kill -0 "$window_pid" 2>/dev/null || fail "the window is gone"
         ((SECONDS < end)) || fail "$(inputs "$1") inputs of kind '$1' are answered, not $(($2 + $3))"
@@ -128,7 +129,7 @@ place() {
 
 # Moves the mouse to a control, a share of its width from its left: point_at LABEL [share].
 point_at() {
-    local end=$((SECONDS + 30)) x
+    local end=$((SECONDS + PATIENCE * 30)) x
     until [[ -f $KDSCOPE_STATE_FILE ]] && read -r -a x < <(place "$1"); do
         ((SECONDS < end)) || fail "there is no '$1' to be seen"
         sleep 0.1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The oracle's map in the window: counts of wrong pixels under the published rules, from one to the next, none under the
 # robust rules, shadow rays refused.
-SCREEN=1600x1500  # high enough for all of TRACING
+SCREEN=1060x1440  # high enough for all of TRACING
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window rooms --rules as-published

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# TREE: a slider is dragged and tree, counters and picture follow; presets bring constants back; a long build is cancelled.
+# TREE: a slider is dragged and tree, counters and picture follow; presets bring constants back; only binned has bins; a long build is cancelled.
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:1000
@@ -19,6 +19,14 @@ wait_for '^settings.build.leaf_size=2$'
 click_on "TREE/paper's"
 wait_for '^settings.build.trim_leaves=false$'
 wait_for '^settings.build.empty_bonus_gate=0(\.0)?$'
+click_on "TREE/default"
+[[ -z $(place "TREE/bins") ]] || fail "builder paper has no bins"
+press b && wait_for '^settings.build.builder=exact$'
+press b && wait_for '^settings.build.builder=binned$'
+nodes=$(value tree.nodes)
+drag_slider "TREE/bins" 0.1 0.02
+wait_for '^settings.build.bins=4$'
+holds "$(value tree.nodes) > 1.2 * $nodes" || fail "$(value tree.nodes) nodes with 4 bins, $nodes with 32"
 stop_window
 
 start_window scatter:300000 --builder spatial-median

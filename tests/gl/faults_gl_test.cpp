@@ -117,8 +117,8 @@ TEST_P(GlFaults, F04_ANanThatIsTakenForANumberIsFound) {
 
 TEST_P(GlFaults, F04_ALostTriangleIsFound) {
     const Variable shaders("KD_SHADER_DIR",
-                           shaders_with("fragment/scene_hooks.glsl", "return texelFetch(kd_references, slot).x;",
-                                        "return texelFetch(kd_references, slot).x ^ 1;")
+                           shaders_with("fragment/scene_hooks.glsl", "return int(texelFetch(kd_references, slot).x);",
+                                        "return int(texelFetch(kd_references, slot).x) ^ 1;")
                                .string());
     EXPECT_TRUE(holds(message_of_tracer(), "fails the self-test"));
 }

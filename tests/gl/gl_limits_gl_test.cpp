@@ -3,22 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/geometry/input_error.h"
 #include "renderer/gl/pass_programs.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scenes.h"
 
 namespace kd {
 namespace {
 
-template <class Check>
-std::string message_of(const Check& check) {
-    try {
-        check();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
+using test::refusal;
 
 constexpr GlLimits small{1000, 64};
 
@@ -35,39 +27,38 @@ TEST(GlLimits, CountWhatAnUploadTakes) {
 
 TEST(GlLimits, LetThroughWhatJustFits) {
     EXPECT_EQ(
-        message_of([] { check_upload({.nodes = 1000, .references = 1000, .triangles = 333, .texels = 1000}, small); }),
+        refusal([] { check_upload({.nodes = 1000, .references = 1000, .triangles = 333, .texels = 1000}, small); }),
         "accepted");
 }
 
 TEST(GlLimits, RefuseWithTheNumbers) {
     EXPECT_EQ(
-        message_of([] { check_upload({.triangles = 334}, small); }),
+        refusal([] { check_upload({.triangles = 334}, small); }),
         "scene on OpenGL: the triangles take 1002 texels, a texture buffer holds 1000 here; use a smaller scene or "
         "--tracer cpu");
-    EXPECT_NE(message_of([] { check_upload({.nodes = 1001}, small); }).find("nodes take 1001 texels"),
-              std::string::npos);
-    EXPECT_NE(message_of([] { check_upload({.references = 1001}, small); }).find("1001 texels"), std::string::npos);
-    EXPECT_NE(message_of([] { check_upload({.texels = 1001}, small); }).find("images take 1001"), std::string::npos);
+    EXPECT_NE(refusal([] { check_upload({.nodes = 1001}, small); }).find("nodes take 1001 texels"), std::string::npos);
+    EXPECT_NE(refusal([] { check_upload({.references = 1001}, small); }).find("1001 texels"), std::string::npos);
+    EXPECT_NE(refusal([] { check_upload({.texels = 1001}, small); }).find("images take 1001"), std::string::npos);
 }
 
 TEST(GlLimits, RefuseNumbersThatFloatsCannotHold) {
     static constexpr GlLimits large{std::int64_t(1) << 40, 64};
     constexpr std::int64_t limit = std::int64_t(1) << 24;
-    EXPECT_EQ(message_of([] { check_upload({.nodes = limit, .references = limit}, large); }), "accepted");
-    EXPECT_NE(message_of([] { check_upload({.nodes = limit + 1}, large); }).find("16777217 nodes"), std::string::npos);
-    EXPECT_NE(message_of([] { check_upload({.references = limit + 1}, large); }).find("up to 16777216"),
+    EXPECT_EQ(refusal([] { check_upload({.nodes = limit, .references = limit}, large); }), "accepted");
+    EXPECT_NE(refusal([] { check_upload({.nodes = limit + 1}, large); }).find("16777217 nodes"), std::string::npos);
+    EXPECT_NE(refusal([] { check_upload({.references = limit + 1}, large); }).find("up to 16777216"),
               std::string::npos);
 }
 
 TEST(GlLimits, DependOnTheConfiguration) {
     TraceConfig config;
     const UploadSizes sizes{.nodes = 600, .references = 400, .triangles = 300};
-    EXPECT_EQ(message_of([&] { check_config(sizes, config, small); }), "accepted");
+    EXPECT_EQ(refusal([&] { check_config(sizes, config, small); }), "accepted");
     config.leaf_lists = LeafLists::duplicated;
-    EXPECT_NE(message_of([&] { check_config(sizes, config, small); }).find("copied leaf lists take 1200 texels"),
+    EXPECT_NE(refusal([&] { check_config(sizes, config, small); }).find("copied leaf lists take 1200 texels"),
               std::string::npos);
     config = {.traversal = Traversal::backtrack};
-    EXPECT_NE(message_of([&] { check_config(sizes, config, small); }).find("boxes of all nodes take 1200 texels"),
+    EXPECT_NE(refusal([&] { check_config(sizes, config, small); }).find("boxes of all nodes take 1200 texels"),
               std::string::npos);
 }
 
@@ -75,36 +66,40 @@ TEST(GlLimits, BoundTheNaiveTraversalByTheLoopBudget) {
     const TraceConfig lit{.traversal = Traversal::naive};
     const TraceConfig unlit{.traversal = Traversal::naive, .shadows = false};
     const UploadSizes sizes{.triangles = 30001, .lights = 2};
-    EXPECT_EQ(message_of([&] { check_config(sizes, unlit, small); }), "accepted");
+    EXPECT_EQ(refusal([&] { check_config(sizes, unlit, small); }), "accepted");
     EXPECT_EQ(
-        message_of([&] { check_config(sizes, lit, small); }),
+        refusal([&] { check_config(sizes, lit, small); }),
         "traversal naive on OpenGL: 30001 triangles times 2 rays per shader call exceed 60000 loop steps; use another "
         "traversal, --tracer cpu or a smaller scene");
-    EXPECT_EQ(message_of([&] { check_config({.triangles = 60000}, lit, small); }), "accepted");
-    EXPECT_NE(message_of([&] { check_config({.triangles = 60001}, unlit, small); }), "accepted");
+    EXPECT_EQ(refusal([&] { check_config({.triangles = 60000}, lit, small); }), "accepted");
+    EXPECT_NE(refusal([&] { check_config({.triangles = 60001}, unlit, small); }), "accepted");
 }
 
 TEST(GlLimits, BoundTheImage) {
-    EXPECT_EQ(message_of([] { check_image(64, 64, small); }), "accepted");
-    EXPECT_EQ(message_of([] { check_image(65, 2, small); }),
+    EXPECT_EQ(refusal([] { check_image(64, 64, small); }), "accepted");
+    EXPECT_EQ(refusal([] { check_image(65, 2, small); }),
               "image of 65x2 pixels: a texture holds 64x64 here; ask for a smaller one");
 }
 
 TEST(PassPrograms, LeaveOutWhatASceneDoesNotNeed) {
     ProgramSettings bare;
-    bare.trace.counters = false;
+    bare.needs.counters = false;
     const ProgramKey key = program_key(Step::shade_prim, bare);
     for (const char* define : {"KD_COUNTERS", "KD_NORMALS", "KD_TEXTURES", "KD_SHADOWS", "KD_DUPLICATED"})
         EXPECT_EQ(key.defines.at(define), "0") << define;
-    EXPECT_EQ(key.defines.at("KD_TRAVERSE"), "traverse_stack");
-    EXPECT_EQ(key.defines.at("KD_STACK_SIZE"), "64");
+    EXPECT_EQ(key.defines.at("KD_TRAVERSE"), "traverse_naive") << "without shadow rays nothing walks";
+    EXPECT_EQ(key.defines.at("KD_STACK_SIZE"), "1");
+    bare.needs.shadows = true;
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_TRAVERSE"), "traverse_stack");
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_STACK_SIZE"), "64");
     bare.trace.traversal = Traversal::restart;
     EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_STACK_SIZE"), "1");
+    EXPECT_EQ(program_key(Step::shade_prim, bare).defines.at("KD_LONG_TRAIL"), "1");
 }
 
 TEST(PassPrograms, ShareRtPrimAcrossShadingSettings) {
     ProgramSettings plain, rich;
-    rich.needs = {.textures = true, .normals = true, .shadows = true, .reflections = true, .bounces = 3};
+    rich.needs.textures = rich.needs.normals = rich.needs.shadows = rich.needs.highlights = true;
     EXPECT_EQ(program_key(Step::rt_prim, plain), program_key(Step::rt_prim, rich));
     EXPECT_NE(program_key(Step::shade_prim, plain), program_key(Step::shade_prim, rich));
 }

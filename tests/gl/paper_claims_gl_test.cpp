@@ -73,7 +73,7 @@ TEST(PaperClaims, OtherNumbersDoNot) {
 }
 
 TEST(PaperClaims, NoiseLeavesThemOpen) {
-    const std::vector<PaperClaim> claims = judge_claims(paper_results(papers_own_ms(), 2));
+    const std::vector<PaperClaim> claims = judge_claims(paper_results(papers_own_ms(), 1.5));
     for (const char* id : {"E1a CPURT", "E1b", "E3b scatter"})
         EXPECT_EQ(claim(claims, id).verdict, undecided) << id << ": " << interval_text(claim(claims, id).value);
 }
@@ -96,9 +96,8 @@ TEST(PaperClaims, ASoftwareRendererSaysNothingOfAGpuButItsNumbersAreTold) {
     EXPECT_EQ(claim(claims, "E2a").reason, "not measured");
 }
 
-TEST(PaperClaims, NothingMeasuredIsAllOpen) {
-    for (const PaperClaim& c : judge_claims({}))
-        if (c.id != "B1c") EXPECT_EQ(c.verdict, undecided) << c.id << ", which is arithmetic alone";
+TEST(PaperClaims, NothingMeasuredIsAllOpenButArithmetic) {
+    for (const PaperClaim& c : judge_claims({})) EXPECT_EQ(c.verdict == undecided, c.id != "B1c") << c.id;
 }
 
 TEST(PaperClaims, TheShareOfTraversalFollowsFromExtraVisits) {

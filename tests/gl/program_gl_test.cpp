@@ -71,6 +71,30 @@ TEST_P(ProgramGl, KeepsProgramsByKey) {
     EXPECT_EQ(cache.size(), 2u);
 }
 
+TEST_P(ProgramGl, KeepsSoManyAndDropsTheOneUnusedLongest) {
+    ProgramCache cache(gl(), default_shader_reader(), 2);
+    int compiled = 0;
+    cache.tell_compiling([&] { ++compiled; });
+    const auto use = [&](bool later_bounce, bool corrected) {
+        ProgramSettings settings;
+        settings.later_bounce = later_bounce;
+        settings.corrected_rounding = corrected;
+        (void)cache.get(program_key(Step::rays, settings));
+    };
+    use(false, false);
+    use(true, false);
+    use(false, false);
+    EXPECT_EQ(compiled, 2);
+    use(true, true);  // takes the place of the second
+    EXPECT_EQ(cache.size(), 2u);
+    EXPECT_EQ(compiled, 3);
+    use(false, false);
+    EXPECT_EQ(compiled, 3) << "the first was used since";
+    use(true, false);
+    EXPECT_EQ(compiled, 4);
+    EXPECT_EQ(cache.size(), 2u);
+}
+
 TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
     ProgramCache cache(gl());
     const auto compile = [&](const TraversalInfo& traversal, const RulesInfo& rules, bool on) {
@@ -79,9 +103,11 @@ TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
             ProgramSettings s;
             s.trace.traversal = traversal.id;
             s.trace.rules = rules.id;
-            s.trace.counters = s.count_shaded = s.limited_loops = s.corrected_rounding = on;
-            s.trace.leaf_lists = on ? LeafLists::duplicated : LeafLists::references;
-            s.needs = {.textures = on, .normals = on, .shadows = on, .reflections = on, .bounces = 2};
+            s.count_shaded = s.limited_loops = s.corrected_rounding = on;
+            for (const FeatureInfo& feature : features()) s.needs.*feature.in_use = on;
+            s.needs.bounces = 2;
+            s.needs.lights = 1;
+            s.needs.levels = on ? max_tree_depth : 8;
             s.early_z = on ? EarlyZ::as_published : EarlyZ::working;
             s.later_bounce = on && (step == Step::rt_refl || step == Step::shade_refl);
             EXPECT_NO_THROW((void)cache.get(program_key(step, s)))

@@ -96,14 +96,25 @@ TEST(RayCount, EqualsWhatTheFrameShows) {
     EXPECT_EQ(count_rays(scene, tree, config, camera, 48, 40), (RayCounts{48 * 40, 0, 0, 0}));
 }
 
+TEST(RayCount, EndsWhenStopped) {
+    const FlatScene scene = test::mirror_scene(300, 5);
+    const KdTree tree = build_tree(scene.triangles, {});
+    std::stop_source stop;
+    stop.request_stop();
+    const PinholeCamera camera = pinhole(scene.camera, 48, 40);
+    EXPECT_EQ(count_rays(scene, tree, {}, camera, 48, 40, stop.get_token()), RayCounts{});
+}
+
 ReferenceRays one_ray(Hit expected) { return {{Ray{Vec3(0), Vec3(0, 0, 1), 0.0f, 10.0f, -1}}, {expected}}; }
 
-VerifyRow compared(Hit expected, Hit found, int any_triangle) {
+VerifyRow compared(Hit expected, Hit found, int any_triangle, int exponent = 0) {
+    FlatScene scene;
+    scene.exponent = exponent;
     RayAnswers answers(1);
     answers.nearest[0] = found;
     answers.any[0].triangle = any_triangle;
     VerifyRow row;
-    compare_hits(one_ray(expected), answers, row);
+    compare_hits(scene, one_ray(expected), answers, row);
     return row;
 }
 
@@ -127,13 +138,19 @@ TEST(Compare, FailureTextIsExact) {
                                  "4 t 0x1.4p+1 u 0x1p-2 v 0x1p-1; found no hit");
 }
 
+TEST(Compare, FailureTextIsInSceneUnits) {
+    const VerifyRow row = compared({4, 2.5f, 0.25f, 0.5f}, {-1, 10.0f, 0, 0}, -1, 20);
+    EXPECT_EQ(row.first_failure, "ray 0x0p+0,0x0p+0,0x0p+0,0x0p+0,0x0p+0,0x1p+0,0x0p+0,0x1.4p+23: expected triangle "
+                                 "4 t 0x1.4p+21 u 0x1p-2 v 0x1p-1; found no hit");
+}
+
 TEST(Compare, CountersThatDifferAreFound) {
     RayAnswers cpu(1), gl(1);
     cpu.counters[0].leaves = 3;
     gl.counters[0].leaves = 4;
     VerifyRow row;
     row.tracer = "gl-fragment";
-    compare_counters(one_ray({-1, 10.0f, 0, 0}), cpu, gl, row);
+    compare_counters({}, one_ray({-1, 10.0f, 0, 0}), cpu, gl, row);
     EXPECT_EQ(row.counter_mismatches, 1);
     EXPECT_NE(row.first_failure.find("leaves 3"), std::string::npos);
     EXPECT_NE(row.first_failure.find("leaves 4"), std::string::npos);

@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "app/engine.h"
+#include "tests/app/engine_run.h"
 #include "tests/threads/scarce_memory.h"
 
 namespace kd {
@@ -12,29 +12,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::ScarceMemory;
-
-Session small_session(const std::string& scene) {
-    Session session;
-    session.scene = scene;
-    session.width = 48;
-    session.height = 32;
-    session.threads = 2;
-    return session;
-}
-
-template <class Done>
-bool wait_until(Engine& engine, const Done& done) {
-    for (int i = 0; i < 60000; ++i) {
-        engine.poll();
-        if (done(engine.state())) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-bool settle(Engine& engine) {
-    return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working(); });
-}
 
 bool says_memory(const EngineState& state) {
     for (const Message& message : state.messages)
@@ -48,6 +25,7 @@ TEST(EngineFaults, F14_AThousandRandomSwitchesEndWithTheLastAndKeepNothingElse) 
     Engine engine(small_session("ball:200"), {.open_gl = {}, .wake = {}, .duel = true});
     std::map<const World*, std::weak_ptr<const World>> worlds;
     Session session = small_session("ball:200");
+    session.threads = 2;
     for (int i = 0; i < 1000; ++i) {
         session.scene = scenes[random() % std::size(scenes)];
         session.build.leaf_size = 1 + int(random() % 8);

@@ -43,6 +43,12 @@ TEST(ChartScript, TextIsLiteralWhateverItHolds) {
     EXPECT_TRUE(has(script, "noenhanced")) << "_ and ^ stay what they are";
 }
 
+TEST(ChartScript, PercentSignsOfTicksAreNoFormats) {
+    Chart chart = sample();
+    chart.y.ticks = {{10, "10 %"}};
+    EXPECT_TRUE(has(chart_script(chart), "('10 %%' 10)"));
+}
+
 TEST(ChartScript, AxesHaveTheChartsOwnEndsAndTicks) {
     const std::string script = chart_script(sample());
     EXPECT_TRUE(has(script, "set logscale x\nset xrange [1000:10000]"));
@@ -61,7 +67,7 @@ TEST(ChartScript, PointsBoundsWhiskersRingsAndLabelsAreThere) {
     EXPECT_TRUE(has(script, "set arrow from graph 0, first 20 to graph 1, first 20"));
     EXPECT_TRUE(has(script, "set label 'median of 15'"));
     for (const char* name : {"'stack'", "'ideal'", "'2006'"})
-        EXPECT_EQ(count(script, std::string("title ") + name), 1u);
+        EXPECT_EQ(count(script, std::string("set label ") + name), 1u) << name;
 }
 
 TEST(ChartScript, ValuesBeyondTheAxesAreDrawnAtTheirEnds) {

@@ -101,9 +101,9 @@ TEST(Divergence, EqualRaysNeverWait) {
     RayLayer layer{Image<Hit>(32, 16), Image<RayCounters>(32, 16)};
     for (RayCounters& c : layer.counters.pixels) c.interior_first = 17;
     for (const float e : step_efficiency(layer, 8, 4).pixels) EXPECT_EQ(e, 1.0f);
-    const DivergenceSummary all = summarise_divergence(layer, 8, 4);
+    const EfficiencySummary all = summarise_divergence(layer, 8, 4);
     EXPECT_EQ(all.weighted, 1.0);
-    EXPECT_EQ(all.tiles, 16);
+    EXPECT_EQ(all.groups, 16);
     EXPECT_EQ(all.steps, 17u * 32 * 16);
 }
 
@@ -138,12 +138,12 @@ TEST(Divergence, SummaryWeighsByStepsOrByTiles) {
         for (int x = 0; x < 2; ++x) layer.counters.at(x, y).leaves = 1;
     }
     layer.counters.at(3, 1).interior_first = 100;
-    const DivergenceSummary all = summarise_divergence(layer, 2, 2);
-    EXPECT_EQ(all.tiles, 2);
+    const EfficiencySummary all = summarise_divergence(layer, 2, 2);
+    EXPECT_EQ(all.groups, 2);
     EXPECT_DOUBLE_EQ(all.weighted, 104.0 / 404.0);
     EXPECT_EQ(all.median, 0.25) << "the lower of two";
     EXPECT_EQ(all.p5, 0.25);
-    EXPECT_EQ(summarise_divergence(RayLayer{Image<Hit>(4, 4), Image<RayCounters>(4, 4)}, 2, 2).tiles, 0);
+    EXPECT_EQ(summarise_divergence(RayLayer{Image<Hit>(4, 4), Image<RayCounters>(4, 4)}, 2, 2).groups, 0);
 }
 
 TEST(Divergence, MapTellsTheTileAndTheWholeImage) {
@@ -151,10 +151,11 @@ TEST(Divergence, MapTellsTheTileAndTheWholeImage) {
     MapConfig config;
     config.map = "divergence";
     const ScalarMap map = compute_map(frame, config);
-    ASSERT_EQ(map.facts.size(), 4u);
+    ASSERT_EQ(map.facts.size(), 6u);
     EXPECT_EQ(map.facts[0], (MapFact{"tile", "8×4 = 32 lanes"}));
+    EXPECT_EQ(map.facts[1], (MapFact{"schedule", "lockstep"}));
     const double whole = summarise_divergence(frame.layer(Pass::rt_prim), 8, 4).weighted;
-    EXPECT_NEAR(std::stod(map.facts[1].value), whole, 5e-4);
+    EXPECT_NEAR(std::stod(map.facts[2].value), whole, 5e-4);
     EXPECT_TRUE(std::isnan(compute_map(Frame(8, 8), config).values.at(0, 0)));
 }
 

@@ -35,13 +35,18 @@ TEST(Map, RegistryIsComplete) {
     std::set<std::string_view> names;
     for (const MapInfo& map : maps()) {
         EXPECT_TRUE(names.insert(map.name).second) << map.name;
-        EXPECT_EQ((map.of_pixel != nullptr) + (map.of_frame != nullptr) + (map.of_judged != nullptr), 1)
+        const bool of_groups = map.of_frame != nullptr || map.of_walks != nullptr;
+        EXPECT_EQ((map.of_pixel != nullptr) + of_groups + (map.of_judged != nullptr), 1)
             << map.name << " needs exactly one function";
+        EXPECT_TRUE(map.of_frame == nullptr || map.of_walks != nullptr) << map.name << " knows one schedule only";
         EXPECT_FALSE(map.title.empty()) << map.name;
         EXPECT_FALSE(map.summary.empty()) << map.name;
     }
-    for (const char* name : {"nodes", "first-visits", "revisits", "revisit-share", "leaves", "triangles", "restarts",
-                             "backtracks", "stack-depth", "exit", "t", "divergence", "idle", "oracle", "t-error"}) {
+    for (const char* name :
+         {"nodes",      "first-visits", "revisits",    "revisit-share", "leaves",     "triangles",
+          "restarts",   "backtracks",   "stack-depth", "exit",          "t",          "divergence",
+          "idle",       "coherence",    "step-nodes",  "step-sectors",  "step-lines", "hit-triangles",
+          "hit-leaves", "overhead",     "oracle",      "t-error"}) {
         EXPECT_TRUE(names.contains(name)) << name;
     }
 }
@@ -147,7 +152,8 @@ TEST(MapGolden, EveryMap) {
     for (const MapInfo& info : maps()) {
         const MapConfig config{.map = std::string(info.name)};
         const JudgedLayer judged = test::ball_judged();
-        const ScalarMap map = compute_map(test::ball_frame(), config, &judged);
+        const LockstepLayer walks = test::ball_walks();
+        const ScalarMap map = compute_map(test::ball_frame(), config, {&judged, &walks});
         const HeatmapConfig heat;
         const bool exact = info.kind != MapInfo::Kind::length;
         test::expect_golden(paint_map(map, heat, choose_range(map, heat)), "map_" + config.map,

@@ -14,6 +14,7 @@
 #include "renderer/scene/camera.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
+#include "renderer/trace/lockstep_layer.h"
 #include "viz/text.h"
 
 namespace kd::test {
@@ -93,6 +94,30 @@ inline JudgedLayer ball_judged(int width = frame_width, int height = frame_heigh
         }
     judged.tally();
     return judged;
+}
+
+/// Groups of 8x4 of ball_frame()'s primary rays: numbers that are formulas of their place.
+inline LockstepLayer ball_walks(Schedule schedule = Schedule::lockstep) {
+    LockstepLayer walks(Pass::rt_prim, schedule, 8, 4, frame_width, frame_height);
+    for (int y = 0; y < frame_height; ++y)
+        for (int x = 0; x < frame_width && x < untraced_from; ++x) {
+            walks.steps.at(x, y) = 10 + x % 8 + y;
+            walks.overhead.at(x, y) = 1 + float(x * y % 50) / 25;
+        }
+    for (int y = 0; y < frame_height; y += 4)
+        for (int x = 0; x < frame_width; x += 8) {
+            const std::uint64_t column = std::uint64_t(x / 8), row = std::uint64_t(y / 4);
+            LockstepGroup& group = walks.group_at(x, y);
+            group.tally = {32 * (20 + row), 30 + 4 * row + 3 * column, 20};
+            group.reads = {10, 10 * (8 + 2 * row), 10 * (1 + column) + row, 8 * (1 + column) + row, 7 * (1 + column)};
+            group.rays = x < untraced_from ? 32 : 0;
+            group.triangles = int(1 + column + row);
+            group.leaves = int(1 + column);
+        }
+    walks.overhead.at(3, 40) = std::numeric_limits<float>::infinity();
+    walks.unlike_hits = 1;
+    walks.whole_overhead = 2.5;
+    return walks;
 }
 
 /// Box [-2,2]^3, split at x = 0, its upper half at y = 0.5: nodes 0 interior, 1 leaf, 2 interior, 3 and 4 leaves.

@@ -9,6 +9,7 @@
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep.h"
 #include "renderer/measure/stability/sweep_judge.h"
+#include "renderer/trace/upper_bound.h"
 
 namespace kd {
 

@@ -217,7 +217,7 @@ ReferenceImage reference_image(const ImageTask& task, const std::function<void(f
                                const std::stop_token& stop) {
     const auto& [width, height] = std::pair(task.plan.width, task.plan.height);
     const PinholeCamera camera = pinhole(task.scene.camera, width, height);
-    const SceneNeeds needs = scene_needs(task.scene, task.config);
+    const SceneNeeds needs = scene_needs(task.scene, KdTree{}, task.config);
     const int per_half = std::max(1, task.plan.reference_samples / 2);
     std::array halves{SampleMean(width, height), SampleMean(width, height)};
     for (std::size_t half = 0; half < halves.size(); ++half) {

@@ -17,8 +17,7 @@ bool is_finite(Vec4 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std:
 void check_picture(CaseRun& run, const Subject& subject, const Camera& camera, int width, int height) {
     const PinholeCamera view = pinhole(camera, width, height);
     const std::vector<Ray> rays = pixel_rays(view, width, height);
-    const std::vector<Hit> expected = brute_force(subject.scene, rays, run.threads(), run.stop());
-    run.check_stop();
+    const std::vector<Hit> expected = run.loop_hits(subject.scene, rays);
     Expectation e;
     e.known = &expected;
     run.check(subject, rays, e);

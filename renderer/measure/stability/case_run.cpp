@@ -6,10 +6,12 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/validate.h"
+#include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
+#include "renderer/trace/upper_bound.h"
 
 namespace kd {
 
@@ -19,9 +21,12 @@ CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
     : info_(info), config_(config), machines_(machines), stop_(std::move(stop)), tell_(std::move(tell)),
       random_(case_seed(info.id, config.seed)) {}
 
-std::size_t CaseRun::rays(std::size_t full) const {
-    return config_.long_run ? full : std::max(full / 10, std::min<std::size_t>(full, 1000));
+std::size_t CaseRun::rays(std::size_t full, std::size_t parts) const {
+    const std::size_t all = config_.long_run ? full : std::max((full + 9) / 10, std::min<std::size_t>(full, 1000));
+    return (all + parts - 1) / parts;
 }
+
+int CaseRun::side(int full) const { return config_.long_run ? full : int(std::ceil(full / std::sqrt(10.0))); }
 
 void CaseRun::check_stop() const {
     if (stop_.stop_requested()) throw Stopped{};
@@ -87,64 +92,95 @@ void CaseRun::each_answer(const Subject& subject, const std::vector<Ray>& rays,
     });
 }
 
-void CaseRun::check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation) {
-    ReferenceRays reference;
-    reference.rays = rays;
-    reference.expected =
-        expectation.known ? *expectation.known : brute_force(subject.scene, rays, config_.threads, stop_);
+std::vector<Hit> CaseRun::loop_hits(const FlatScene& scene, const std::vector<Ray>& rays) {
+    std::vector<Hit> hits = plain_nearest_hits(scene, TriangleBoxes(scene.triangles), rays, config_.threads, stop_);
     check_stop();
-    std::vector<f64::Hit> exact;
-    if (expectation.against_double) exact = double_brute_force(subject.scene, rays, config_.threads, stop_);
+    constexpr std::size_t tests = 10'000'000, fewest = 10, most = 200;
+    const std::size_t sample = std::clamp(tests / std::max<std::size_t>(scene.triangles.size(), 1), fewest, most);
+    ReferenceRays all{rays, hits};
+    const ReferenceRays some = all.every(rays.size() / sample + 1);
+    const std::vector<Hit> plain = brute_force(scene, some.rays, config_.threads, stop_);
     check_stop();
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        if (!bit_equal(plain[i], some.expected[i]))
+            record("oracle", 1, 1,
+                   fmt::format("ray {}: the loop finds {}; by boxes {}", exact_text(scene, some.rays[i]),
+                               exact_text(scene, plain[i]), exact_text(scene, some.expected[i])));
+    return hits;
+}
 
+std::vector<f64::Hit> CaseRun::exact_hits(const FlatScene& scene, const std::vector<Ray>& rays) const {
+    std::vector<f64::Hit> hits = DoubleOracle(scene).nearest(rays, config_.threads, stop_);
+    check_stop();
+    return hits;
+}
+
+void CaseRun::check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation) {
+    const FlatScene& scene = subject.scene;
+    Reference all{scene, {rays, expectation.known ? *expectation.known : loop_hits(scene, rays)}, {}};
+    if (expectation.against_double) all.exact = exact_hits(scene, rays);
+    std::optional<Reference> third;
+    if (expectation.costly) {
+        third.emplace(Reference{scene, all.loop.every(3), {}});
+        for (std::size_t i = 0; i < all.exact.size(); i += 3) third->exact.push_back(all.exact[i]);
+    }
     each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& r) {
-        RayAnswers found(rays.size());
-        const bool exempt = !info_.exempt.empty() && machine.tracer() != "cpu";
-        std::vector<RayCounters> any_counters(exempt ? rays.size() : 0);
-        found.counters.resize(any_counters.size());
-        (void)machine.trace(trace, rays, false, found.nearest, found.counters, stop_);
-        (void)machine.trace(trace, rays, true, found.any, any_counters, stop_);
-        check_stop();
-        if (exempt) excuse_given_up(reference, any_counters, found, r);
-        VerifyRow compared;
-        compare_hits(reference, found, compared);
-        r.n += std::int64_t(rays.size());
-        r.mismatches += compared.mismatches;
-        if (compared.mismatches > 0 && r.reason.empty()) r.reason = expectation.what + compared.first_failure;
-        if (expectation.every_ray_hits)
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                if (found.nearest[i].triangle < 0 && reference.expected[i].triangle < 0)
-                    fail(r, fmt::format("{}missed by brute force too: ray {}", expectation.what, exact_text(rays[i])));
-        if (!exact.empty()) judge_exact(rays, found.nearest, exact, expectation, r);
+        check_machine(third && machine.tracer() != "cpu" ? *third : all, expectation, machine, trace, r);
     });
 }
 
-void CaseRun::excuse_given_up(const ReferenceRays& reference, std::span<const RayCounters> any_counters,
-                              RayAnswers& found, StabilityRow& r) {
+void CaseRun::check_machine(const Reference& reference, const Expectation& expectation, RayMachine& machine,
+                            const TraceConfig& trace, StabilityRow& r) const {
+    const std::vector<Ray>& rays = reference.loop.rays;
+    RayAnswers found(rays.size());
+    const bool exempt = !info_.exempt.empty() && machine.tracer() != "cpu";
+    std::vector<RayCounters> any_counters(exempt ? rays.size() : 0);
+    found.counters.resize(any_counters.size());
+    (void)machine.trace(trace, rays, false, found.nearest, found.counters, stop_);
+    (void)machine.trace(trace, rays, true, found.any, any_counters, stop_);
+    check_stop();
+    if (exempt) excuse_given_up(reference, any_counters, found, r);
+    VerifyRow compared;
+    compare_hits(reference.scene, reference.loop, found, compared);
+    r.n += std::int64_t(rays.size());
+    r.mismatches += compared.mismatches;
+    if (compared.mismatches > 0 && r.reason.empty()) r.reason = expectation.what + compared.first_failure;
+    if (expectation.every_ray_hits)
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (found.nearest[i].triangle < 0 && reference.loop.expected[i].triangle < 0)
+                fail(r, fmt::format("{}missed by brute force too: ray {}", expectation.what,
+                                    exact_text(reference.scene, rays[i])));
+    if (!reference.exact.empty()) judge_exact(reference, found.nearest, expectation, r);
+}
+
+void CaseRun::excuse_given_up(const Reference& reference, std::span<const RayCounters> any_counters, RayAnswers& found,
+                              StabilityRow& r) {
     const auto capped = [](const RayCounters& c) { return c.exit_reason == uint(KD_EXIT_STEP_CAP); };
-    for (std::size_t i = 0; i < reference.rays.size(); ++i) {
-        const Hit& expected = reference.expected[i];
+    for (std::size_t i = 0; i < any_counters.size(); ++i) {
+        const Hit& expected = reference.loop.expected[i];
         const bool nearest = capped(found.counters[i]) && !bit_equal(found.nearest[i], expected);
         const bool any = capped(any_counters[i]) && (found.any[i].triangle >= 0) != (expected.triangle >= 0);
         if (!nearest && !any) continue;
-        fail(r, fmt::format("given up: ray {}: expected {}", exact_text(reference.rays[i]), exact_text(expected)));
+        fail(r, fmt::format("given up: ray {}: expected {}", exact_text(reference.scene, reference.loop.rays[i]),
+                            exact_text(reference.scene, expected)));
         ++r.given_up;
         if (nearest) found.nearest[i] = expected;
         if (any) found.any[i] = expected;
     }
 }
 
-void CaseRun::judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& found,
-                          const std::vector<f64::Hit>& exact, const Expectation& expectation, StabilityRow& r) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const HitError error = expectation.against_double->judge(found[i], exact[i]);
+void CaseRun::judge_exact(const Reference& reference, const std::vector<Hit>& found, const Expectation& expectation,
+                          StabilityRow& r) {
+    const FlatScene& scene = reference.scene;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const HitError error = expectation.against_double->judge(found[i], reference.exact[i]);
         const bool same_place = error.verdict == HitVerdict::agrees || error.verdict == HitVerdict::wrong_t ||
                                 error.ulps <= expectation.against_double->tie_ulps;
         if (same_place && std::isfinite(error.ulps)) r.worst_ulp = std::max(r.worst_ulp, error.ulps);
         if (!is_wrong(error.verdict)) continue;
-        fail(r,
-             fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what, name_of(error.verdict),
-                         error.ulps, exact_text(rays[i]), exact_text(exact[i]), exact_text(found[i])));
+        fail(r, fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what,
+                            name_of(error.verdict), error.ulps, exact_text(scene, reference.loop.rays[i]),
+                            exact_text(scene, reference.exact[i]), exact_text(scene, found[i])));
     }
 }
 

@@ -24,6 +24,7 @@ struct Subject {
 struct Expectation {
     bool every_ray_hits = false;              // closed around every origin
     std::optional<HitJudge> against_double;   // t, hit and triangle against double precision
+    bool costly = false;                      // OpenGL gets every third ray
     const std::vector<Hit>* known = nullptr;  // the answers themselves; brute force is not asked then
     std::string what;                         // names this part of the case in a failure
 };
@@ -37,8 +38,11 @@ class CaseRun {
             std::function<void(const std::string&)> tell = {});
     virtual ~CaseRun() = default;
 
-    /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many.
-    [[nodiscard]] std::size_t rays(std::size_t full) const;
+    /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many; of `parts` that share them,
+    /// one's, rounded up.
+    [[nodiscard]] std::size_t rays(std::size_t full, std::size_t parts = 1) const;
+    /// Side of a square picture: `full` with --long, otherwise for a tenth of its pixels.
+    [[nodiscard]] int side(int full) const;
     [[nodiscard]] bool long_run() const { return config_.long_run; }
     [[nodiscard]] Rules rules() const { return config_.rules; }
     [[nodiscard]] int threads() const { return config_.threads; }
@@ -51,6 +55,12 @@ class CaseRun {
     /// A grey scene of these triangles and its tree. A tree that validate() objects to is recorded as a failure.
     [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const BuildConfig& build = {});
     [[nodiscard]] virtual Subject subject(FlatScene scene, const BuildConfig& build = {});
+
+    /// What the loop over all triangles answers in single precision. Triangles whose boxes a ray does not come near are
+    /// passed over; some of the rays go to the loop itself, and any difference is recorded as a failure. Throws Stopped.
+    [[nodiscard]] std::vector<Hit> loop_hits(const FlatScene& scene, const std::vector<Ray>& rays);
+    /// The same in double precision, unchecked.
+    [[nodiscard]] std::vector<f64::Hit> exact_hits(const FlatScene& scene, const std::vector<Ray>& rays) const;
 
     /// Traces the rays with every traversal on every machine and adds to their rows.
     void check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation = {});
@@ -74,12 +84,20 @@ class CaseRun {
 
   private:
     StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
+    /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.
+    struct Reference {
+        const FlatScene& scene;
+        ReferenceRays loop;
+        std::vector<f64::Hit> exact;
+    };
+    void check_machine(const Reference& reference, const Expectation& expectation, RayMachine& machine,
+                       const TraceConfig& trace, StabilityRow& r) const;
     /// Of a case that is exempt: wrong answers of rays that were given up, and say so, are mismatches of their own kind. They get
     /// the right answers, so that what is compared from here on is what nothing excuses.
-    static void excuse_given_up(const ReferenceRays& reference, std::span<const RayCounters> any_counters,
+    static void excuse_given_up(const Reference& reference, std::span<const RayCounters> any_counters,
                                 RayAnswers& found, StabilityRow& r);
-    void judge_exact(const std::vector<Ray>& rays, const std::vector<Hit>& found, const std::vector<f64::Hit>& exact,
-                     const Expectation& expectation, StabilityRow& row) const;
+    static void judge_exact(const Reference& reference, const std::vector<Hit>& found, const Expectation& expectation,
+                            StabilityRow& row);
 
     const StabilityCase& info_;
     const StabilityConfig& config_;

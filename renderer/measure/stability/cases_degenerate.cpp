@@ -1,6 +1,7 @@
 // Next to nothing to trace: no triangle, one, two that cannot be told apart, and triangles without an area.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -12,6 +13,8 @@ namespace kd {
 
 namespace {
 
+constexpr std::size_t full = 1'000'000;
+
 /// Every answer is "no hit" and every pixel the background.
 void run_empty(CaseRun& run) {
     const Subject nothing = run.subject(std::vector<Triangle>{});
@@ -20,7 +23,7 @@ void run_empty(CaseRun& run) {
                fmt::format("{} nodes, {} references", nothing.tree.nodes.size(), nothing.tree.references.size()));
 
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < 1000; ++i)
+    for (std::size_t i = 0; i < run.rays(full); ++i)
         rays.push_back(ray_along(random_point(run.random(), -1, 1), random_direction(run.random())));
     std::vector<Hit> misses(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) misses[i] = {-1, KD_T_LIMIT, 0, 0};
@@ -29,10 +32,10 @@ void run_empty(CaseRun& run) {
     run.check(nothing, rays, e);
 
     run.each(nothing, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        constexpr int size = 32;
+        const int size = run.side(512);
         const PinholeCamera camera = pinhole(nothing.scene.camera, size, size);
         const Frame frame = machine.frame(trace, camera, size, size, run.stop());
-        row.n += size * size;
+        row.n += std::int64_t(size) * size;
         for (const Vec4& pixel : frame.colour.pixels)
             if (pixel != Vec4(nothing.scene.background, 1.0f)) CaseRun::fail(row, "a pixel is not the background");
     });
@@ -66,10 +69,11 @@ void run_one_triangle(CaseRun& run) {
 void run_two_the_same(CaseRun& run) {
     const Triangle t{{Vec3(0, 0, 0), Vec3(1, 0.25f, 0.5f), Vec3(0.5f, 1, 1)}};
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(10'000); ++i)
+    constexpr std::array leaf_sizes{0, 1, 2};
+    for (std::size_t i = 0; i < run.rays(full, builders().size() * leaf_sizes.size()); ++i)
         rays.push_back(ray_to(random_point(run.random(), -2, 2), random_point(run.random(), 0, 1)));
     for (const Builder& builder : builders())
-        for (const int leaf_size : {0, 1, 2}) {
+        for (const int leaf_size : leaf_sizes) {
             BuildConfig config;
             config.builder = builder.name;
             config.leaf_size = leaf_size;
@@ -99,7 +103,7 @@ void run_without_area(CaseRun& run) {
                fmt::format("{} of 4 triangles kept, {}", subject.scene.triangles.size(), told ? "told" : "not told"));
 
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(10'000); ++i) {
+    for (std::size_t i = 0; i < run.rays(full); ++i) {
         const Vec3 target = i % 2 ? Vec3(float(run.random().between(0, 2))) : Vec3(3, 1, 1);
         const Vec3 aside = Vec3(2, -1, 3) + random_point(run.random(), -1, 1);  // the good triangle is not in the way
         rays.push_back(ray_to(target + aside, target - aside * 0.01f));
@@ -123,7 +127,7 @@ void run_without_area(CaseRun& run) {
 StabilityCase case_T01() {
     return {"T01",
             "No triangle",
-            "An empty scene; 1000 random rays and a picture of 32 x 32",
+            "An empty scene; random rays and a picture",
             "exact: no hit, background everywhere",
             "0 hits, 0 other pixels, a tree of one leaf without references",
             run_empty};

@@ -162,8 +162,7 @@ void run_planar_sides(CaseRun& run) {
         rays.push_back(ray);
     for (const Ray& ray : rays_along_diagonals(run.random(), run.rays(full))) rays.push_back(ray);
     Subject city = run.subject(voxel_city(cells));
-    const std::vector<Hit> hits = brute_force(city.scene, rays, run.threads(), run.stop());
-    run.check_stop();
+    const std::vector<Hit> hits = run.loop_hits(city.scene, rays);
     constexpr std::array sides{PlanarSide::below, PlanarSide::above, PlanarSide::both};
     constexpr std::array names{"below: ", "above: ", "both: "};
     for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -184,8 +183,7 @@ void run_negative_zero(CaseRun& run) {
     for (const Coordinates coordinates : {Coordinates::off_lattice, Coordinates::integer}) {
         std::vector<Ray> rays = rays_along_axes(run.random(), run.rays(full) / 2, coordinates, 0.0f);
         run.check(city, rays);
-        const std::vector<Hit> hits = brute_force(city.scene, rays, run.threads(), run.stop());
-        run.check_stop();
+        const std::vector<Hit> hits = run.loop_hits(city.scene, rays);
         for (Ray& ray : rays)
             for (int axis = 0; axis < 3; ++axis)
                 if (ray.direction[axis] == 0) ray.direction[axis] = -0.0f;

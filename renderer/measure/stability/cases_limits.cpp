@@ -16,6 +16,8 @@ namespace kd {
 
 namespace {
 
+constexpr std::size_t full = 1'000'000;
+
 template <class Action>
 std::string refusal(const Action& action) {
     try {
@@ -67,14 +69,15 @@ void run_echo(CaseRun& run, std::size_t count) {
 
 /// Triangle numbers and materials as bits: every triangle is hit by its own ray and must be named.
 void run_numbers(CaseRun& run) {
-    const Subject plane = run.subject(grid({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 100, 100));
+    const int cells = run.long_run() ? 708 : 224;
+    const Subject plane = run.subject(grid({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, cells, cells));
     std::vector<Ray> rays;
     std::vector<Hit> known;
     for (const Triangle& t : plane.scene.triangles) {
         const Vec3 middle = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0f;
         rays.push_back(ray_along(middle + Vec3(0, 0, 1), Vec3(0, 0, -1)));
     }
-    const std::vector<Hit> found = brute_force(plane.scene, rays, run.threads(), run.stop());
+    const std::vector<Hit> found = run.loop_hits(plane.scene, rays);
     std::int64_t wrong = 0;
     for (std::size_t i = 0; i < found.size(); ++i) wrong += found[i].triangle != int(i);
     run.record("brute force", std::int64_t(found.size()), wrong);
@@ -143,13 +146,16 @@ void run_chain(CaseRun& run, int depth, std::size_t count) {
     });
 }
 
+constexpr int naive_counts[] = {60'000, 60'001, 65'534, 65'536, 100'000};
+
 /// The naive traversal of `count` triangles on each machine: as on the CPU, or refused with a reason.
 void run_naive(CaseRun& run, int count) {
     Random& random = run.random();
     const Subject soup = run.subject(random_soup(count, 0.02f, random), {.leaf_size = 64, .max_depth = 8});
     std::vector<Ray> rays;
-    for (int i = 0; i < 200; ++i) rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
-    const std::vector<Hit> expected = brute_force(soup.scene, rays, run.threads(), run.stop());
+    for (std::size_t i = 0; i < run.rays(10'000, std::size(naive_counts)); ++i)
+        rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
+    const std::vector<Hit> expected = run.loop_hits(soup.scene, rays);
     run.each(soup, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
         if (trace.traversal != Traversal::stack) return;
         TraceConfig naive;
@@ -171,13 +177,13 @@ void run_naive(CaseRun& run, int count) {
 void run_stuck(CaseRun& run) {
     const Subject city = run.subject(voxel_city(10));
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(10'000); ++i) {
+    for (std::size_t i = 0; i < run.rays(100'000); ++i) {
         Vec3 corner;
         for (int axis = 0; axis < 3; ++axis) corner[axis] = float(random_below(run.random(), 11));
         const Vec3 d(random_sign(run.random()), random_sign(run.random()), random_sign(run.random()));
         rays.push_back(ray_along(corner - 20.0f * d, d));
     }
-    const std::vector<Hit> expected = brute_force(city.scene, rays, run.threads(), run.stop());
+    const std::vector<Hit> expected = run.loop_hits(city.scene, rays);
     std::int64_t fewest = std::int64_t(rays.size());
     run.each(city, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
         TraceConfig guarded = trace;
@@ -223,7 +229,7 @@ StabilityCase case_T45() {
 StabilityCase case_T46() {
     return {"T46",
             "Integers through the graphics memory",
-            "20,000 triangles of one plane, a ray to the middle of each",
+            "100,352 triangles of one plane (1,002,528 with --long), a ray to the middle of each",
             "exact: the triangle's own number; brute force",
             "every number comes back",
             run_numbers};
@@ -232,13 +238,13 @@ StabilityCase case_T46() {
 StabilityCase case_T47() {
     return {"T47",
             "Places at the ends of rows",
-            "Lists of 4095, 4096, 4097, 8193 and 100,001 rays (2^24 with --long) that each answer with a number of "
+            "Lists of 4095, 4096, 4097, 8193 and 1,677,722 rays (2^24 with --long) that each answer with a number of "
             "their own",
             "exact",
             "every ray gets its own answer",
             [](CaseRun& run) {
                 for (const std::size_t count : {4095u, 4096u, 4097u, 8193u}) run_echo(run, count);
-                run_echo(run, run.long_run() ? std::size_t(1) << 24 : 100'001);
+                run_echo(run, run.rays(std::size_t(1) << 24));
             }};
 }
 
@@ -250,8 +256,7 @@ StabilityCase case_T48() {
         "brute force",
         "0 mismatches, no stack overflow, no step cap",
         [](CaseRun& run) {
-            for (int depth = 1; depth <= max_tree_depth; depth += run.long_run() || depth > 60 ? 1 : 3)
-                run_chain(run, depth, 300);
+            for (int depth = 1; depth <= max_tree_depth; ++depth) run_chain(run, depth, run.rays(full, max_tree_depth));
         }};
 }
 
@@ -262,7 +267,7 @@ StabilityCase case_T49() {
             "brute force",
             "0 mismatches, no step cap",
             [](CaseRun& run) {
-                for (const int depth : {31, 32, 33, 63, 64}) run_chain(run, depth, run.rays(20'000));
+                for (const int depth : {31, 32, 33, 63, 64}) run_chain(run, depth, run.rays(full, 5));
             }};
 }
 
@@ -273,7 +278,7 @@ StabilityCase case_T50() {
             "brute force on the CPU",
             "the same hits, or refused with the numbers above 60,000 on OpenGL",
             [](CaseRun& run) {
-                for (const int count : {60'000, 60'001, 65'534, 65'536, 100'000}) run_naive(run, count);
+                for (const int count : naive_counts) run_naive(run, count);
                 const std::string refused = refusal([] {
                     TraceConfig naive;
                     naive.traversal = Traversal::naive;

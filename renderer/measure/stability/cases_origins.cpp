@@ -118,7 +118,7 @@ void check_boxes(CaseRun& run, const Make& make) {
     for (const Aabb& box : boxes) {
         const Subject subject = run.subject(filled_box(box, run.random()));
         std::vector<Ray> rays;
-        for (std::size_t i = 0; i < run.rays(full) / boxes.size(); ++i) rays.push_back(make(subject.tree.bounds, i));
+        for (std::size_t i = 0; i < run.rays(full, boxes.size()); ++i) rays.push_back(make(subject.tree.bounds, i));
         run.check(subject, rays);
     }
 }
@@ -132,7 +132,7 @@ Vec3 point_in_plane(Random& random, const Triangle& t) {
 void run_eyes_on_surfaces(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < run.rays(200'000); ++i) {
+    for (std::size_t i = 0; i < run.rays(full); ++i) {
         const Triangle& t = random_triangle(run.random(), ball.scene.triangles);
         const Vec3 vertex = t.corner[i % 3], in_plane = point_in_plane(run.random(), t);
         rays.push_back(i % 2 ? ray_along(vertex, random_direction(run.random()))
@@ -140,13 +140,14 @@ void run_eyes_on_surfaces(CaseRun& run) {
     }
     run.check(ball, rays);
     const Triangle& t = ball.scene.triangles[3000];
-    check_picture(run, ball, camera_at(t.corner[0], Vec3(0.1f, 0.2f, 0), 90), 48, 48);
-    check_picture(run, ball, camera_at((t.corner[0] + t.corner[1]) * 0.5f, t.corner[2], 90), 48, 48);
+    const int size = run.side(512);
+    check_picture(run, ball, camera_at(t.corner[0], Vec3(0.1f, 0.2f, 0), 90), size, size);
+    check_picture(run, ball, camera_at((t.corner[0] + t.corner[1]) * 0.5f, t.corner[2], 90), size, size);
 
     const int n = run.long_run() ? 1'000'000 : 100'000;
     const Subject soup = run.subject(random_soup(n, 0.01f, run.random()));
     const Vec3 centre = soup.tree.bounds.centre();
-    check_picture(run, soup, camera_at(centre, centre + Vec3(0, 0, 1), 90), 32, 32);
+    check_picture(run, soup, camera_at(centre, centre + Vec3(0, 0, 1), 90), size, size);
 }
 
 }  // namespace

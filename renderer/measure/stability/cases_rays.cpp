@@ -28,7 +28,7 @@ std::vector<Ray> times_as_long(std::vector<Ray> rays, float length) {
 
 void run_lengths(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
-    const std::vector<Ray> unit = inside_rays(run.random(), run.rays(full) / 40);
+    const std::vector<Ray> unit = inside_rays(run.random(), run.rays(full, 4));
     for (const float length : {1e-20f, 1e-3f, 1e3f, 1e20f}) {
         const std::vector<Ray> rays = times_as_long(unit, length);
         Expectation e;
@@ -82,8 +82,8 @@ void run_invalid(CaseRun& run) {
 /// Rays that hit at `t`, over intervals that hold it or do not; brute force says what is right, and what must miss is listed.
 void run_intervals(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
-    const std::vector<Ray> open = inside_rays(run.random(), run.rays(full) / 20);
-    const std::vector<Hit> hits = brute_force(ball.scene, open, run.threads(), run.stop());
+    const std::vector<Ray> open = inside_rays(run.random(), run.rays(full, 5));
+    const std::vector<Hit> hits = run.loop_hits(ball.scene, open);
     std::vector<Ray> rays;
     std::vector<Hit> known;
     const auto add = [&](const Ray& ray, float t_min, float t_max, const Hit& hit) {
@@ -112,7 +112,7 @@ void run_lamp(CaseRun& run) {
     const Subject subject = run.subject(room);
     std::vector<Ray> shadows;
     std::vector<Hit> clear;
-    while (shadows.size() < run.rays(full) / 20) {
+    while (shadows.size() < run.rays(full, 5)) {
         const Triangle& lamp = room[room.size() - 1 - std::size_t(random_below(run.random(), 2))];
         Light light = subject.scene.lights[0];
         light.position = point_in(run.random(), lamp);

@@ -40,8 +40,6 @@ bool is_finite(const Frame& frame) {
     return true;
 }
 
-int side(const CaseRun& run, int all) { return run.long_run() ? all : all / 4; }
-
 using JudgeFrame = std::function<void(const Frame&, StabilityRow&)>;
 
 /// A square frame by every traversal and machine, whose colours must be finite, to be judged.
@@ -76,7 +74,7 @@ void run_coplanar(CaseRun& run) {
     FlatScene scene = mirrors(quad, above);
     scene.lights = {point_light({0.3f, 0.4f, 5}, Vec3(0.7f)), point_light({-30, 1, 2}, Vec3(0.7f))};
     const Subject subject = run.subject(std::move(scene));
-    each_frame(run, subject, side(run, 512), 1, [](const Frame& frame, StabilityRow& row) {
+    each_frame(run, subject, run.side(512), 1, [](const Frame& frame, StabilityRow& row) {
         for (const Pass pass : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl})
             must_not_hit(frame, pass, 0, 2, row);
     });
@@ -134,7 +132,7 @@ void run_mirror_box(CaseRun& run) {
     const Camera inside{{0.31f, -0.17f, 0.53f}, {-0.7f, 0.2f, -0.9f}, {0, 1, 0}, 70};
     const Subject subject = run.subject(mirrors(box, inside));
     std::string told = "RMSE against double precision:";
-    for (const int bounces : {1, 2, 8}) judge_bounces(run, subject, side(run, 256), bounces, 1e-6, told);
+    for (const int bounces : {1, 2, 8}) judge_bounces(run, subject, run.side(512), bounces, 1e-6, told);
     run.record("rmse", 3, 0, told);
 }
 
@@ -142,13 +140,14 @@ void run_perpendicular(CaseRun& run) {
     std::vector<Triangle> glass = grid({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, 2, 2);
     const Camera before{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 60};
     const auto judge = [](const Frame& frame, StabilityRow& row) { must_not_hit(frame, Pass::rt_refl, 0, 8, row); };
-    each_frame(run, run.subject(mirrors(glass, before)), side(run, 513), 1, judge);
+    each_frame(run, run.subject(mirrors(glass, before)), (run.side(512) | 1), 1, judge);
     for (const Triangle& t : grid({-50, -50, 3}, {100, 0, 0}, {0, 100, 0}, 2, 2)) glass.push_back(t);
-    each_frame(run, run.subject(mirrors(glass, before)), side(run, 513), 1, [&](const Frame& frame, StabilityRow& row) {
-        judge(frame, row);
-        for (const Hit& hit : frame.layer(Pass::rt_refl).hit.pixels)
-            if (hit.triangle < 8) CaseRun::fail(row, "the wall behind the camera was not reflected");
-    });
+    each_frame(run, run.subject(mirrors(glass, before)), (run.side(512) | 1), 1,
+               [&](const Frame& frame, StabilityRow& row) {
+                   judge(frame, row);
+                   for (const Hit& hit : frame.layer(Pass::rt_refl).hit.pixels)
+                       if (hit.triangle < 8) CaseRun::fail(row, "the wall behind the camera was not reflected");
+               });
 }
 
 void run_grazing_mirror(CaseRun& run) {
@@ -161,7 +160,7 @@ void run_grazing_mirror(CaseRun& run) {
         for (TriangleAttributes& a : scene.attributes)
             for (Vec3& n : a.normal) n = glm::normalize(Vec3(0, 0, 1) + 0.3f * random_direction(run.random()));
         const Subject subject = run.subject(std::move(scene));
-        const int size = side(run, 128);
+        const int size = run.side(512);
         const PinholeCamera camera = pinhole(subject.scene.camera, size, size);
         std::int64_t under = 0, hits = 0;
         for (int i = 0; i < size * size; ++i) {
@@ -202,7 +201,7 @@ void run_bad_normals(CaseRun& run) {
     raw.has_normals = true;
     for (TriangleAttributes& a : raw.attributes) a.normal[0] = a.normal[1] = a.normal[2] = Vec3(0.0f);
     const Subject zero = run.subject(std::move(raw));
-    const int size = side(run, 256);
+    const int size = run.side(512);
     Frame expected(size, size);
     CpuTracer(plain.scene, plain.tree).trace_frame({}, pinhole(plain.scene.camera, size, size), expected);
     for (const Subject* subject : {&replaced, &zero})

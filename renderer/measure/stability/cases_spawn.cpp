@@ -44,7 +44,7 @@ void run_spawn_row(CaseRun& run, const SpawnRow& r, std::int64_t& self_hits, std
     const Subject subject = run.subject(triangles);
     std::vector<Ray> rays, unguarded;
     std::int64_t far_off = 0;
-    const std::size_t wanted = run.rays(200'000) / 11;
+    const std::size_t wanted = run.rays(200'000);
     for (std::size_t tries = 0; rays.size() < wanted && tries < 20 * wanted; ++tries) {
         const Triangle& t = random_triangle(random, triangles);
         FlatScene one;
@@ -80,7 +80,7 @@ void run_spawn_row(CaseRun& run, const SpawnRow& r, std::int64_t& self_hits, std
         run.check_stop();
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (guarded[i].triangle == rays[i].source)
-                CaseRun::fail(row, e.what + "self-hit: ray " + exact_text(rays[i]));
+                CaseRun::fail(row, e.what + "self-hit: ray " + exact_text(subject.scene, rays[i]));
             self_hits += open[i].triangle == rays[i].source;
         }
         spawned += std::int64_t(rays.size());
@@ -100,9 +100,8 @@ void run_spawn(CaseRun& run) {
 StabilityCase case_T38() {
     return {"T38",
             "Rays that leave triangles",
-            "11 rows: triangles of size 1e-6 to 1e6, moved by 0 to 1e6, seen from 10 to 1e6 sizes away; rays that "
-            "leave them "
-            "in random directions by the tracer's own rule",
+            "11 rows: triangles of size 1e-6 to 1e6, moved by 0 to 1e6, seen from 10 to 1e6 sizes away; 200,000 "
+            "rays each that leave them in random directions by the tracer's own rule",
             "brute force; no ray hits the triangle it leaves",
             "0 self-hits; origins within 64 ulp of the largest coordinate; without the exclusion at most 1 in 10,000",
             run_spawn};

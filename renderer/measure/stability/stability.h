@@ -70,7 +70,4 @@ struct StabilityReport {
                                             const std::function<void(float, const std::string&)>& progress = {},
                                             std::stop_token stop = {});
 
-/// Upper end of the one-sided 95 % interval of a share of which `k` of `n` were seen: 3/n for none, Wilson's otherwise.
-[[nodiscard]] double upper_bound_95(std::int64_t k, std::int64_t n);
-
 }  // namespace kd

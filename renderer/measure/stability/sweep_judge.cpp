@@ -20,14 +20,6 @@ long double plane_distance(const Ray& ray, const Triangle& t) {
     return glm::dot(normal, a - Wide(ray.origin)) / glm::dot(normal, Wide(ray.direction));
 }
 
-/// |t - exact| in units in the last place that a float has there.
-double float_ulps(double t, long double exact) {
-    const auto nearest = std::abs(float(exact));
-    if (!std::isfinite(nearest) || !std::isfinite(t)) return -1;
-    const double ulp = double(std::nextafter(nearest, KD_T_LIMIT)) - double(nearest);
-    return double(std::abs((long double)t - exact)) / ulp;
-}
-
 }  // namespace
 
 SweepJudge::SweepJudge(const FlatScene& scene, std::span<const Ray> rays, bool every_ray_hits, int threads,
@@ -49,14 +41,14 @@ SweepFault SweepJudge::judge(std::size_t ray, int triangle, double t) const {
         fault.missed = every_ray_hits_ || (exact.triangle >= 0 && !near_edge(ray, exact.triangle));
         return fault;
     }
-    fault.ulps = float_ulps(t, plane_distance(rays_[ray], scene_.triangles[std::size_t(triangle)]));
+    const double ulps = ulps_between(t, plane_distance(rays_[ray], scene_.triangles[std::size_t(triangle)]));
+    if (std::isfinite(ulps)) fault.ulps = ulps;
     if (triangle == exact.triangle) return fault;
     if (exact.triangle < 0) {
         fault.wrong = !near_edge(ray, triangle);
         return fault;
     }
-    const double apart = float_ulps(t, (long double)exact.t);
-    const bool tie = apart >= 0 && apart <= tie_ulps;
+    const bool tie = ulps_between(t, exact.t) <= tie_ulps;
     fault.wrong = !tie && !near_edge(ray, triangle) && !near_edge(ray, exact.triangle);
     return fault;
 }

@@ -1,0 +1,215 @@
+#include "app/commands/stats_divergence.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <ostream>
+
+#include "app/chart_files.h"
+#include "app/counted.h"
+#include "app/divergence_chart.h"
+#include "app/json_values.h"
+#include "app/output_file.h"
+#include "app/progress_line.h"
+#include "app/ray_choices.h"
+#include "app/text_table.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
+#include "renderer/kdtree/build.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/needs.h"
+
+namespace kd {
+
+namespace {
+
+std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
+
+Json json_of(const EfficiencySummary& e) {
+    return {{"groups", e.groups},
+            {"steps", e.steps},
+            {"iterations", e.iterations},
+            {"efficiency", e.weighted},
+            {"weighted_median", e.weighted_median},
+            {"weighted_p5", e.weighted_p5},
+            {"mean", e.mean},
+            {"median", e.median},
+            {"p5", e.p5}};
+}
+
+Json number_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+
+Json json_of(const DivergencePoint& point) {
+    Json json{{"lanes", point.lanes()}, {"tile_width", point.tile_width}, {"tile_height", point.tile_height}};
+    for (const ScheduleInfo& schedule : schedules())
+        json["schedules"][std::string(schedule.name)] = json_of(point.by_schedule[std::size_t(schedule.id)]);
+    const NodeReads& reads = point.reads;
+    json["node_reads"] = {{"steps", reads.iterations}, {"lanes", reads.lanes},
+                          {"nodes", reads.nodes},      {"sectors", reads.sectors},
+                          {"lines", reads.lines},      {"coherence", number_or_null(reads.coherence())}};
+    json["hits"] = {{"triangles_per_group", point.hits.mean_triangles},
+                    {"leaves_per_group", point.hits.mean_leaves},
+                    {"r_triangles", number_or_null(point.hits.triangles)},
+                    {"r_leaves", number_or_null(point.hits.leaves)}};
+    return json;
+}
+
+Json json_of(const DivergenceReport& report) {
+    Json points = Json::array();
+    for (const DivergencePoint& point : report.points) points.push_back(json_of(point));
+    return {{"traversal", info(report.traversal).name},
+            {"rays", json_key(ray_names[std::size_t(report.rays)])},
+            {"pixels", report.pixels},
+            {"steps", report.steps},
+            {"overhead", report.overhead},
+            {"median_overhead", report.median_overhead},
+            {"unlike_hits", report.unlike_hits},
+            {"widths", points}};
+}
+
+void print(std::ostream& out, const DivergenceReport& report) {
+    out << fmt::format("\n{} rays, {}: ", ray_names[std::size_t(report.rays)], info(report.traversal).name);
+    if (report.steps == 0) {
+        out << "none\n";
+        return;
+    }
+    out << fmt::format("{}, {:.1f} steps each", counted(report.pixels, "pixel"),
+                       double(report.steps) / double(report.pixels));
+    if (report.overhead > 0)
+        out << fmt::format("; {:.2f} times the interior visits of a stack (median of the pixels {:.2f})",
+                           report.overhead, report.median_overhead);
+    out << (report.unlike_hits > 0
+                ? fmt::format("; {} with another hit than by a stack\n", counted(report.unlike_hits, "pixel"))
+                : "\n");
+    TextTable table({{"lanes"},
+                     {"tile"},
+                     {"lockstep"},
+                     {"if-if"},
+                     {"while-while"},
+                     {"mean"},
+                     {"median"},
+                     {"worst 5 %"},
+                     {"reading"},
+                     {"nodes"},
+                     {"sectors"},
+                     {"lines"},
+                     {"coherence"},
+                     {"triangles"},
+                     {"r"},
+                     {"leaves"},
+                     {"r"}});
+    for (const DivergencePoint& point : report.points) {
+        const EfficiencySummary& loops = point.by_schedule[std::size_t(Schedule::while_while)];
+        const double steps = double(point.reads.iterations);
+        const auto per_step = [&](std::uint64_t sum) {
+            return steps > 0 ? fmt::format("{:.2f}", double(sum) / steps) : "-";
+        };
+        const auto r = [](double value) { return std::isnan(value) ? "-" : fmt::format("{:+.2f}", value); };
+        table.add_row({fmt::format("{}", point.lanes()), fmt::format("{}x{}", point.tile_width, point.tile_height),
+                       share(point.by_schedule[0].weighted), share(point.by_schedule[1].weighted),
+                       share(loops.weighted), share(loops.mean), share(loops.median), share(loops.p5),
+                       per_step(point.reads.lanes), per_step(point.reads.nodes), per_step(point.reads.sectors),
+                       per_step(point.reads.lines), share(point.reads.coherence()),
+                       fmt::format("{:.1f}", point.hits.mean_triangles), r(point.hits.triangles),
+                       fmt::format("{:.1f}", point.hits.mean_leaves), r(point.hits.leaves)});
+    }
+    table.print(out);
+}
+
+constexpr const char* explanation = "\nlockstep, if-if, while-while: share of the lanes paid for that work, of the "
+                                    "whole image. All further columns are of\n"
+                                    "while-while: that share tile by tile; lanes that read a node in one step, the "
+                                    "different nodes, 32-byte sectors and\n"
+                                    "128-byte lines among what they read; different triangles and leaves that a group "
+                                    "hits, each with its correlation r with\n"
+                                    "the share. docs/divergence.md defines them.\n";
+
+/// The shapes asked for, narrow to wide.
+std::vector<TileShape> shapes_of(const DivergenceOptions& options) {
+    if (options.tile_width == 0) return {width_curve().begin(), width_curve().end()};
+    const int lanes = options.tile_width * options.tile_height;
+    if (lanes < 4 || lanes > 1024)
+        throw InputError(fmt::format("--tile: {}x{}: a tile holds 4 to 1024 pixels; try 8x4", options.tile_width,
+                                     options.tile_height));
+    return {{options.tile_width, options.tile_height}};
+}
+
+/// "ball:9000, primary rays, stack" as a file name with a number: chart names must not clash.
+std::string numbered(const std::string& path, std::size_t number) {
+    const std::size_t dot = path.rfind(".svg");
+    return number == 0 ? path : fmt::format("{}-{}.svg", path.substr(0, dot), number + 1);
+}
+
+}  // namespace
+
+std::vector<Pass> rays_of(const FlatScene& scene, const TraceConfig& config, const DivergenceOptions& options) {
+    if (options.rays) return {*options.rays};
+    const SceneNeeds needs = scene_needs(scene, KdTree{}, config);
+    std::vector<Pass> passes{Pass::rt_prim};
+    if (needs.shadows) passes.push_back(Pass::shade_prim);
+    if (needs.reflections) passes.push_back(Pass::rt_refl);
+    if (needs.reflections && needs.shadows) passes.push_back(Pass::shade_refl);
+    return passes;
+}
+
+void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
+    app.add_flag("--divergence", o.divergence, "Instead: what groups of pixels lose in lockstep, by their width")
+        ->group("Divergence");
+    app.add_flag("--ballot", o.ballot, "Instead: lanes counted by the GPU itself against lanes computed")
+        ->group("Divergence");
+    add_choice(app, "--rays", o.rays, ray_choices(), "Whose walks [all]")->group("Divergence");
+    add_pair(app, "--tile", o.tile_width, o.tile_height, 1, 1024, "Pixels of a group [widths from 4 to 1024]");
+    app.get_option("--tile")->group("Divergence");
+    app.add_option("--csv", o.csv, "Also all numbers as a table")->type_name("FILE")->group("Divergence");
+    app.add_option("--svg", o.svg, "Also efficiency against width, a picture per table")
+        ->type_name("FILE")
+        ->group("Divergence");
+}
+
+int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
+    const std::vector<TileShape> shapes = shapes_of(options);
+    check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
+    std::string csv = divergence_csv_head();
+    Json all = Json::array();
+    std::vector<std::pair<std::string, std::string>> charts;
+    for (const std::string& name : common.scenes) {
+        Session session = common.session_for(name);
+        const FlatScene scene = open_scene(common, session);
+        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+        if (!json)
+            context.out << fmt::format("{}{}: {}; {}x{}\n", name == common.scenes.front() ? "" : "\n", name,
+                                       contents_text(scene), session.width, session.height);
+        Json reports = Json::array();
+        for (const Traversal traversal : wanted_traversals(common, false))
+            for (const Pass rays : rays_of(scene, session.trace, options)) {
+                session.trace.traversal = traversal;
+                ProgressLine progress(context);
+                const std::string what =
+                    fmt::format("{}: {}, {} rays", name, info(traversal).name, ray_names[std::size_t(rays)]);
+                const auto report =
+                    measure_divergence({.scene = scene,
+                                        .tree = tree,
+                                        .config = session.trace,
+                                        .camera = pinhole(scene.camera, session.width, session.height),
+                                        .width = session.width,
+                                        .height = session.height,
+                                        .rays = rays,
+                                        .threads = session.threads},
+                                       shapes, context.stop, [&](float done) { progress.show(done, what); });
+                if (!report) throw Interrupted();
+                csv += divergence_csv(name, *report);
+                reports.push_back(json_of(*report));
+                if (!json) print(context.out, *report);
+                if (!options.svg.empty() && report->steps > 0)
+                    charts.emplace_back(numbered(options.svg, charts.size()),
+                                        chart_svg(width_chart(*report), context.stop));
+            }
+        all.push_back({{"settings", kd::json_of(session)}, {"scene", kd::json_of(scene)}, {"divergence", reports}});
+    }
+    context.out << (json ? json_text(all) : explanation);
+    if (!options.csv.empty()) write_file(options.csv, csv);
+    for (const auto& [path, svg] : charts) write_file(path, svg);
+    return exit_ok;
+}
+
+}  // namespace kd

@@ -1,0 +1,28 @@
+// What `stats --divergence` and `stats --ballot` do.
+#pragma once
+
+#include "app/command.h"
+#include "app/common_options.h"
+
+namespace kd {
+
+struct DivergenceOptions {
+    bool divergence = false, ballot = false;
+    std::optional<Pass> rays;  // those given; else all that there are
+    int tile_width = 0, tile_height = 0;
+    std::string csv, svg;
+};
+
+void add_divergence_options(CLI::App& app, DivergenceOptions& options);
+
+/// Those asked for, or those that scene and settings have.
+[[nodiscard]] std::vector<Pass> rays_of(const FlatScene& scene, const TraceConfig& config,
+                                        const DivergenceOptions& options);
+
+/// Efficiency against width, per scene, traversal and kind of ray.
+int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);
+
+/// Lanes counted by the GPU against lanes computed. exit_failed where a software renderer's are not the same.
+int run_ballots(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);
+
+}  // namespace kd

@@ -1,0 +1,105 @@
+#include "app/commands/verify_needs.h"
+
+#include <fmt/format.h>
+#include <ostream>
+
+#include "app/counted.h"
+#include "app/json_values.h"
+#include "app/machine_info.h"
+#include "app/progress_line.h"
+#include "app/text_table.h"
+#include "renderer/measure/needs_check.h"
+
+namespace kd {
+
+namespace {
+
+NeedsCheckConfig config_for(const CommonOptions& options, const Session& session) {
+    NeedsCheckConfig config;
+    config.width = session.width;
+    config.height = session.height;
+    config.trace = session.trace;
+    config.threads = session.threads;
+    config.traversals = {session.trace.traversal};
+    const WantedMachines machines = wanted_machines(options);
+    config.cpu = machines.cpu;
+    config.contexts = machines.contexts;
+    return config;
+}
+
+Json json_of(const std::string& scene, const NeedsCheckReport& report) {
+    Json rows = Json::array();
+    for (const NeedsCheckRow& row : report.rows) {
+        Json others;
+        for (std::size_t pass = 1; pass < pass_count; ++pass) others[json_key(ray_names[pass])] = row.others[pass];
+        rows.push_back({{"feature", row.feature},
+                        {"tracer", row.tracer},
+                        {"context", row.context},
+                        {"traversal", row.traversal},
+                        {"pixels", row.pixels},
+                        {"colours", row.colours},
+                        {"primary_hits", row.hits},
+                        {"primary_counters", row.counters},
+                        {"other_rays", others}});
+    }
+    return {{"scene", scene}, {"passed", report.passed()}, {"rows", rows}, {"notes", report.notes}};
+}
+
+void print(std::ostream& out, const std::string& scene, const NeedsCheckReport& report) {
+    using enum TextTable::Align;
+    out << fmt::format("{}: pixels that differ when a feature is put back\n", scene);
+    TextTable table({{"feature", left},
+                     {"tracer", left},
+                     {"context", left},
+                     {"traversal", left},
+                     {"pixels"},
+                     {"colours"},
+                     {"primary hits"},
+                     {"primary counters"},
+                     {"shadow"},
+                     {"reflection"},
+                     {"refl. shadow"},
+                     {"verdict", left}});
+    for (const NeedsCheckRow& row : report.rows)
+        table.add_row({row.feature, row.tracer, row.context, row.traversal, fmt::format("{}", row.pixels),
+                       fmt::format("{}", row.colours), fmt::format("{}", row.hits), fmt::format("{}", row.counters),
+                       fmt::format("{}", row.others[1]), fmt::format("{}", row.others[2]),
+                       fmt::format("{}", row.others[3]), row.good() ? "good" : "WRONG"});
+    table.print(out);
+    for (const std::string& note : report.notes) out << "note: " << note << '\n';
+    out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
+}
+
+}  // namespace
+
+int verify_needs(const CommonOptions& options, bool as_json, CommandContext& context) {
+    require_context(options, true);
+    bool passed = true;
+    Json json = Json::array();
+    for (const std::string& name : options.scenes) {
+        Session session = options.session_for(name);
+        check_frame_memory(session.width, session.height);
+        const FlatScene scene = open_scene(options, session);
+        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+        check_stop(context);
+        NeedsCheckReport report;
+        {
+            ProgressLine progress(context);
+            const auto show = [&](float done, const std::string& what) { progress.show(done, name + ": " + what); };
+            report = check_needs(scene, tree, config_for(options, session), show, context.stop);
+        }
+        check_stop(context);
+        passed = passed && report.passed();
+        if (as_json) {
+            json.push_back(json_of(name, report));
+        } else {
+            if (name != options.scenes.front()) context.out << '\n';
+            print(context.out, name, report);
+            context.out.flush();
+        }
+    }
+    if (as_json) context.out << json_text(json);
+    return passed ? exit_ok : exit_check_failed;
+}
+
+}  // namespace kd

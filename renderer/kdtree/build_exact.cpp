@@ -1,0 +1,100 @@
+// The surface area heuristic at its best: every start and end of the triangles' parts in the cell, on all three axes, in
+// O(N log N). After Wald & Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006, with
+// their "perfect splits": a triangle cut by a plane goes on as two boxes, each around what lies on one side.
+
+#include "renderer/kdtree/builders.h"
+#include "renderer/kdtree/clip.h"
+#include "renderer/kdtree/grow.h"
+#include "renderer/kdtree/sah.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<Aabb> all_boxes(std::span<const Triangle> triangles) {
+    std::vector<Aabb> boxes;
+    boxes.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) boxes.push_back(bounds_of(triangle));
+    return boxes;
+}
+
+class ExactSplitter : public Splitter {
+  public:
+    ExactSplitter(const BuildTask& task, const TriangleRanges& ranges)
+        : task_(task), events_(ranges, task.stop), boxes_(all_boxes(task.triangles)), sides_(task.triangles.size()) {}
+
+    std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
+        return cheapest_split(task_.config, cell, int(lists.top().size()),
+                              {events_.top(0), events_.top(1), events_.top(2)});
+    }
+
+    void divide(const Aabb& cell, const Split& split, CellLists& lists) override {
+        for (std::size_t side = 0; side < 2; ++side) {
+            part_boxes_[side].clear();
+            for (auto& events : part_events_[side]) events.clear();
+        }
+        std::array<Aabb, 2> halves{cell, cell};
+        halves[0].upper[split.axis] = split.position;
+        halves[1].lower[split.axis] = split.position;
+        const std::span<const std::int32_t> numbers = lists.top();
+        const std::span<const Aabb> boxes = boxes_.top();
+        for (std::size_t i = 0; i < numbers.size(); ++i) place(numbers[i], boxes[i], split, halves);
+
+        lists.divide(sides_);
+        boxes_.replace_by(part_boxes_[1], part_boxes_[0]);
+        events_.divide_clipped(split, sides_, part_events_);
+    }
+
+    void dropped() override {
+        events_.drop();
+        boxes_.drop();
+    }
+
+  private:
+    /// Finds the sides of a triangle, with its box there.
+    void place(std::int32_t number, const Aabb& box, const Split& split, const std::array<Aabb, 2>& halves) {
+        const AxisRange range{box.lower[split.axis], box.upper[split.axis]};
+        const unsigned sides = sides_of(range, split);
+        sides_[std::size_t(number)] = std::uint8_t(sides);
+        if (sides != (side_below | side_above)) {
+            part_boxes_[sides >> 1].push_back(box);
+            return;
+        }
+        for (std::size_t side = 0; side < 2; ++side) add_part(number, box, halves[side], side);
+    }
+
+    void add_part(std::int32_t number, const Aabb& box, const Aabb& half, std::size_t side) {
+        const Aabb known{glm::max(box.lower, half.lower), glm::min(box.upper, half.upper)};
+        const Aabb part = clipped_bounds(task_.triangles[std::size_t(number)], half, known);
+        part_boxes_[side].push_back(part);
+        for (int axis = 0; axis < 3; ++axis) {
+            add_events(part_events_[side][std::size_t(axis)], std::uint32_t(number),
+                       {part.lower[axis], part.upper[axis]}, {half.lower[axis], half.upper[axis]});
+        }
+    }
+
+    const BuildTask& task_;
+    SweepEvents events_;
+    ListStack<Aabb> boxes_;  // of the triangles' parts in the unfinished cells, in the order of the cell lists
+    std::vector<std::uint8_t> sides_;  // by triangle number
+    // Room for one cell, by side:
+    std::array<std::vector<Aabb>, 2> part_boxes_;
+    PartEvents part_events_;
+};
+
+KdTree build_exact(const BuildTask& task) {
+    const TriangleRanges ranges(task.triangles);
+    ExactSplitter splitter(task, ranges);
+    return grow_tree(task, ranges, splitter);
+}
+
+}  // namespace
+
+Builder exact_builder() {
+    return {
+        "exact", "SAH, exact with clipping",
+        "Surface area heuristic at all ends of the triangles' parts in the cell, on all axes: the best trees, slowest.",
+        build_exact};
+}
+
+}  // namespace kd

@@ -1,0 +1,203 @@
+#include "renderer/measure/ballot_check.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <vector>
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/measure/frame_judge.h"
+#include "renderer/measure/path_rays.h"
+#include "renderer/measure/walk_recorder.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+namespace {
+
+using Phases = std::vector<std::uint32_t>;
+
+/// Draws no step out of any machine.
+constexpr Ray no_ray{{0, 0, 0}, {0, 0, 0}, 0, 0, -1};
+
+/// One round of rays: at most one per pixel, and what the CPU finds of each.
+struct Round {
+    std::vector<Ray> rays;
+    std::vector<Phases> phases;
+    std::vector<std::uint8_t> there;
+};
+
+bool shadow(Pass rays) { return rays == Pass::shade_prim || rays == Pass::shade_refl; }
+
+/// All rays of a pass as rounds.
+class Rounds {
+  public:
+    Rounds(const BallotTask& task, const std::stop_token& stop) : task_(task), config_(task.config) {
+        config_.reflection_depth = std::min(config_.reflection_depth, 1);
+        frame_ = Frame(task.width, task.height);
+        CpuTracer(task.scene, task.tree).trace_frame(config_, task.camera, frame_, task.threads, stop);
+        const int count = shadow(task.rays) ? int(task.scene.lights.size()) : 1;
+        const std::size_t pixels = frame_.colour.pixels.size();
+        rounds_.assign(std::size_t(count), {std::vector<Ray>(pixels, no_ray), std::vector<Phases>(pixels),
+                                            std::vector<std::uint8_t>(pixels, 0)});
+        record_walks(
+            {.scene = task.scene,
+             .tree = task.tree,
+             .config = config_,
+             .camera = task.camera,
+             .width = task.width,
+             .height = task.height,
+             .rays = task.rays,
+             .threads = task.threads},
+            [&](const BlockWalks& block) { add(block); }, stop);
+    }
+
+    [[nodiscard]] const std::vector<Round>& all() const { return rounds_; }
+
+  private:
+    const BallotTask& task_;
+    TraceConfig config_;
+    Frame frame_;
+    std::vector<Round> rounds_;
+
+    void add(const BlockWalks& block) {
+        for (int y = block.area.y0; y < block.area.y1; ++y)
+            for (int x = block.area.x0; x < block.area.x1; ++x)
+                for (const RayWalk& ray : block.at(x, y).rays) {
+                    const std::size_t i = frame_.colour.index(x, y);
+                    Round& round = rounds_[std::size_t(ray.round)];
+                    round.rays[i] = ray_of(x, y, ray.round);
+                    round.phases[i] = ray.phases;
+                    round.there[i] = 1;
+                }
+    }
+
+    /// The ray that the frame's passes have traced, from what they found.
+    [[nodiscard]] Ray ray_of(int x, int y, int round) const {
+        const std::size_t i = frame_.colour.index(x, y);
+        const bool mirrored = task_.rays == Pass::rt_refl || task_.rays == Pass::shade_refl;
+        const Pass arriving = mirrored ? Pass::rt_refl : Pass::rt_prim;
+        const Ray ray = ray_of_pixel(task_.scene, task_.camera, frame_, arriving, x, y).value_or(no_ray);
+        if (!shadow(task_.rays)) return ray;
+        return shadow_ray(task_.scene, ray, frame_.layer(arriving).hit.pixels[i],
+                          task_.scene.lights[std::size_t(round)])
+            .ray;
+    }
+};
+
+/// The groups as the shader tells them: by the number of one of their pixels.
+using Groups = std::map<std::uint32_t, std::vector<std::size_t>>;
+
+Groups groups_of(const BallotLayer& layer) {
+    Groups groups;
+    for (std::size_t i = 0; i < layer.lanes.pixels.size(); ++i) groups[layer.lanes.pixels[i].group].push_back(i);
+    return groups;
+}
+
+/// Whether every tile of this shape is one group and every group one tile.
+bool are_tiles(const BallotLayer& layer, int tile_width, int tile_height) {
+    const int width = layer.lanes.width;
+    const int columns = (width + tile_width - 1) / tile_width;
+    std::map<std::uint32_t, std::size_t> tile_of;
+    std::map<std::size_t, std::uint32_t> group_of;
+    for (std::size_t i = 0; i < layer.lanes.pixels.size(); ++i) {
+        const int x = int(i) % width, y = int(i) / width;
+        const std::size_t tile = std::size_t(y / tile_height) * std::size_t(columns) + std::size_t(x / tile_width);
+        const std::uint32_t group = layer.lanes.pixels[i].group;
+        if (tile_of.emplace(group, tile).first->second != tile) return false;
+        if (group_of.emplace(tile, group).first->second != group) return false;
+    }
+    return true;
+}
+
+void find_tile(const BallotLayer& layer, BallotReport& report) {
+    for (int width = 1; width <= layer.group_size; width *= 2)
+        if (are_tiles(layer, width, layer.group_size / width)) {
+            report.tile_width = width;
+            report.tile_height = layer.group_size / width;
+        }
+}
+
+/// One drawing and what the CPU says of it.
+class Comparison {
+  public:
+    Comparison(const BallotTask& task, const Round& round, const BallotLayer& layer, BallotReport& report)
+        : task_(task), round_(round), layer_(layer), report_(report) {}
+
+    void compare_groups() {
+        for (const auto& [group, pixels] : groups_of(layer_)) {
+            GroupTally measured;
+            std::vector<const Phases*> phases;
+            for (const std::size_t i : pixels) {
+                const LaneBallots& lane = layer_.lanes.pixels[i];
+                measured += {std::uint64_t(lane.led_lanes[0]) + lane.led_lanes[1],
+                             std::uint64_t(lane.led[0]) + lane.led[1], lane.led[0]};
+                if (round_.there[i]) phases.push_back(&round_.phases[i]);
+            }
+            if (!phases.empty()) add(pixels.front(), measured, run_phases(phases, task_.loop));
+        }
+    }
+
+    void compare_rays(CpuTracer& cpu, const TraceConfig& config) {
+        std::vector<Hit> hits(round_.rays.size());
+        std::vector<RayCounters> counters(round_.rays.size());
+        cpu.trace_rays(config, round_.rays, shadow(task_.rays), hits, counters, task_.threads);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            if (!round_.there[i]) continue;
+            ++report_.rays;
+            if (bit_equal(layer_.hit.pixels[i], hits[i]) && layer_.counters.pixels[i] == counters[i]) continue;
+            ++report_.unlike;
+            if (report_.first_difference.empty())
+                report_.first_difference = fmt::format("the ray of pixel {} differs from the CPU's: triangle {} and {}",
+                                                       place(i), layer_.hit.pixels[i].triangle, hits[i].triangle);
+        }
+    }
+
+  private:
+    const BallotTask& task_;
+    const Round& round_;
+    const BallotLayer& layer_;
+    BallotReport& report_;
+
+    [[nodiscard]] std::string place(std::size_t i) const {
+        return fmt::format("{}, {}", i % std::size_t(task_.width), i / std::size_t(task_.width));
+    }
+
+    void add(std::size_t pixel, const GroupTally& measured, const GroupTally& computed) {
+        ++report_.groups;
+        report_.measured += measured;
+        report_.computed += computed;
+        if (measured == computed) return;
+        ++report_.differ;
+        if (report_.first_difference.empty())
+            report_.first_difference =
+                fmt::format("the group of pixel {}: {} iterations ({} at interior nodes) with {} active lanes "
+                            "measured, {} ({}) with {} "
+                            "computed",
+                            place(pixel), measured.iterations, measured.interior_iterations, measured.steps,
+                            computed.iterations, computed.interior_iterations, computed.steps);
+    }
+};
+
+}  // namespace
+
+BallotReport check_ballots(GlTracer& tracer, const BallotTask& task, std::stop_token stop) {
+    BallotReport report;
+    const Rounds rounds(task, stop);
+    CpuTracer cpu(task.scene, task.tree);
+    for (const Round& round : rounds.all()) {
+        if (stop.stop_requested()) return {};
+        const BallotLayer layer =
+            tracer.measure_ballots(task.config, task.loop, round.rays, shadow(task.rays), task.width, task.height);
+        report.group_size = layer.group_size;
+        find_tile(layer, report);
+        Comparison comparison(task, round, layer, report);
+        comparison.compare_groups();
+        comparison.compare_rays(cpu, task.config);
+        if (!layer.tells_multiprocessors) continue;
+        for (const LaneBallots& lane : layer.lanes.pixels) ++report.multiprocessors[lane.multiprocessor];
+    }
+    return report;
+}
+
+}  // namespace kd

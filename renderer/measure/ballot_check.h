@@ -1,0 +1,43 @@
+// The lanes that a machine counts by itself, held against those that are computed from its rays' walks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <stop_token>
+#include <string>
+
+#include "renderer/gl/gl_tracer.h"
+
+namespace kd {
+
+struct BallotTask {
+    const FlatScene& scene;
+    const KdTree& tree;
+    TraceConfig config;  // one that has_ballot_loop(); of reflections the first bounce is walked
+    PinholeCamera camera;
+    int width = 0, height = 0;
+    Pass rays = Pass::rt_prim;
+    Schedule loop = Schedule::while_while;  // not lockstep
+    int threads = 0;                        // of the CPU's part; 0 = all
+};
+
+struct BallotReport {
+    int group_size = 0;  // lanes of a group, W
+    /// The tile of pixels that every group is made of, as the shader tells; 0 where the groups are no such tiles.
+    int tile_width = 0, tile_height = 0;
+    std::int64_t rays = 0;
+    std::int64_t groups = 0;  // of pixels, once for each round of rays in which they have one
+    std::int64_t differ = 0;  // groups whose iterations or active lanes are not the computed ones
+    std::int64_t unlike = 0;  // rays whose hit or counters are not the CPU's
+    GroupTally measured, computed;
+    std::string first_difference;  // empty where none
+    std::map<std::uint32_t, std::int64_t>
+        multiprocessors;  // pixels that each ran; empty where the driver does not tell
+
+    [[nodiscard]] bool exact() const { return differ == 0 && unlike == 0 && groups > 0; }
+};
+
+/// `tracer` must hold the task's scene and tree (GlTracer::upload). BallotError; nothing in the report where stopped.
+[[nodiscard]] BallotReport check_ballots(GlTracer& tracer, const BallotTask& task, std::stop_token stop = {});
+
+}  // namespace kd

@@ -1,0 +1,71 @@
+// Groups of rays in lockstep: how many iterations a machine of W lanes makes, and how many of its lanes work in them.
+//
+// docs/divergence.md defines the numbers (there D1 to D8). All are sums of integers, so that a machine that counts its own
+// lanes must come to the very same ones.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "renderer/trace/walk.h"
+
+namespace kd {
+
+/// How lanes whose next steps are of different kinds share their iterations.
+///
+/// lockstep:    every lane makes its next step, whatever it is; rays of a pixel follow each other without waiting.
+/// if_if:       one loop; an iteration makes every lane's next step, first the interior ones, then those at leaves, and
+///              costs one for each of the two kinds that is there.
+/// while_while: two loops inside of one; interior steps until no lane has one next, then leaf visits and triangle tests until
+///              none has one next.
+/// The last two begin each round of rays together, as a shader does.
+enum class Schedule { lockstep, if_if, while_while };
+inline constexpr int schedule_count = 3;
+
+struct ScheduleInfo {
+    Schedule id;
+    std::string_view name;  // on the command line: "while-while"
+    std::string_view summary;
+};
+[[nodiscard]] std::span<const ScheduleInfo> schedules();
+[[nodiscard]] const ScheduleInfo& info(Schedule schedule);
+
+/// What a group did.
+struct GroupTally {
+    std::uint64_t steps = 0;                // of all lanes
+    std::uint64_t iterations = 0;           // that the group pays for, each with all its lanes
+    std::uint64_t interior_iterations = 0;  // those of them that step interior nodes; 0 for Schedule::lockstep
+
+    GroupTally& operator+=(const GroupTally& more);
+    bool operator==(const GroupTally&) const = default;
+
+    /// steps / (lanes * iterations), in [1/lanes, 1]; NaN where there was nothing to do.
+    [[nodiscard]] double efficiency(int lanes) const;
+};
+
+/// What a group read of the tree: nodes of 16 bytes, each by all lanes that visit one in the same iteration at once.
+struct NodeReads {
+    std::uint64_t iterations = 0;  // in which some lane reads a node
+    std::uint64_t lanes = 0;       // lanes that read one, over these iterations
+    std::uint64_t nodes = 0;       // different ones
+    std::uint64_t sectors = 0;     // different 32-byte sectors
+    std::uint64_t lines = 0;       // different 128-byte lines
+
+    NodeReads& operator+=(const NodeReads& more);
+    bool operator==(const NodeReads&) const = default;
+
+    /// (lanes - nodes) / (lanes - iterations): 1 where lanes that read together read one node, 0 where each reads its own.
+    /// NaN where no two lanes ever read together.
+    [[nodiscard]] double coherence() const;
+};
+
+/// One round: the lanes' phases as Walk::phases() tells them.
+[[nodiscard]] GroupTally run_phases(std::span<const std::vector<std::uint32_t>* const> lanes, Schedule schedule);
+
+/// A group of pixels; null and pixels without rays are idle lanes.
+[[nodiscard]] GroupTally run_group(std::span<const PixelWalks* const> lanes, Schedule schedule);
+[[nodiscard]] NodeReads read_nodes(std::span<const PixelWalks* const> lanes, Schedule schedule);
+
+}  // namespace kd

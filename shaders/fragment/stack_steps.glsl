@@ -1,0 +1,54 @@
+// shared/traverse_stack.glsl, step by step.
+
+int stack_node[KD_STACK_SIZE];
+real stack_begin[KD_STACK_SIZE];
+real stack_end[KD_STACK_SIZE];
+int stack_depth = 0;
+
+void begin_walk(IN(RaySetup) s)
+{
+    if (enter_walk(s)) arrive();
+}
+
+void step_down(IN(RaySetup) s, IN(Hit) hit)
+{
+    --walk_budget;
+    on_interior(walk_at, false);
+    bool below_first;
+    real near_end;
+    real far_begin;
+    int visit =
+        visit_children(s, walk_node.flag, walk_node.split, walk_begin, walk_end, below_first, near_end, far_begin);
+    if (visit == KD_VISIT_BOTH) {
+        if (stack_depth == KD_STACK_SIZE) {
+            end_walk(KD_EXIT_STACK_OVERFLOW);
+            return;
+        }
+        stack_node[stack_depth] = child_of(walk_at, walk_node, !below_first);
+        stack_begin[stack_depth] = far_begin;
+        stack_end[stack_depth] = walk_end;
+        ++stack_depth;
+        on_push(stack_depth);
+        walk_end = near_end;
+    }
+    go_to(child_of(walk_at, walk_node, below_first != (visit == KD_VISIT_FAR)));
+    arrive();
+}
+
+void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
+{
+    bool found = false;
+    while (stack_depth > 0 && !found) {
+        --stack_depth;
+        found = !beyond_hit(hit, stack_begin[stack_depth]);
+    }
+    if (!found) {
+        finish_walk(hit);
+        walking = false;
+        return;
+    }
+    walk_begin = stack_begin[stack_depth];
+    walk_end = stack_end[stack_depth];
+    go_to(stack_node[stack_depth]);
+    arrive();
+}

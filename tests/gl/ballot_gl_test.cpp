@@ -1,0 +1,121 @@
+// Lanes counted by the machine against lanes computed: on a software renderer, whose groups nothing else decides, they are
+// the same integers.
+
+#include <cstdlib>
+
+#include "renderer/gl/ballots.h"
+#include "renderer/measure/ballot_check.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/procedural.h"
+#include "tests/gl/gl_test.h"
+
+namespace kd {
+namespace {
+
+using test::context_name;
+using test::ContextTest;
+
+constexpr Schedule loops[] = {Schedule::if_if, Schedule::while_while};
+
+class BallotGl : public ContextTest {
+  protected:
+    void SetUp() override {
+        ContextTest::SetUp();
+        if (IsSkipped()) return;
+        if (!context->is_software())
+            GTEST_SKIP() << "HARDWARE: lanes may part and join as they like; kdscope stats --ballot";
+        if (ballot_support(gl()).kind == BallotSupport::Kind::none) GTEST_SKIP() << "NO BALLOTS in this driver";
+        tracer = std::make_unique<GlTracer>(*context);
+    }
+    void TearDown() override { tracer.reset(); }
+
+    void load(const std::string& name) {
+        scene = flatten(*make_procedural(name));
+        tree = build_tree(scene.triangles, {});
+        tracer->upload(scene, tree);
+    }
+    BallotReport check(const TraceConfig& config, Schedule loop, Pass rays, int width, int height) {
+        return check_ballots(*tracer,
+                             {scene, tree, config, pinhole(scene.camera, width, height), width, height, rays, loop});
+    }
+    void expect_exact(const TraceConfig& config, Pass rays, int width, int height) {
+        for (const Schedule loop : loops) {
+            const BallotReport report = check(config, loop, rays, width, height);
+            EXPECT_TRUE(report.exact()) << info(config.traversal).name << " " << info(loop).name << " "
+                                        << ray_names[std::size_t(rays)] << " " << width << "x" << height << ": "
+                                        << report.differ << " of " << report.groups << " groups differ, "
+                                        << report.unlike << " rays; " << report.first_difference;
+            EXPECT_EQ(report.measured, report.computed);
+            EXPECT_LT(report.measured.efficiency(report.group_size), 1.0) << "something must diverge";
+        }
+    }
+
+    /// The test runs once as the renderer is and once with narrower vectors (tests/CMakeLists.txt).
+    static int expected_width() {
+        const char* bits = std::getenv("LP_NATIVE_VECTOR_WIDTH");
+        return bits ? std::atoi(bits) / 32 : 0;
+    }
+
+    FlatScene scene;
+    KdTree tree;
+    std::unique_ptr<GlTracer> tracer;
+};
+KD_FOR_ALL_CONTEXTS(BallotGl);
+
+TEST_P(BallotGl, EveryTraversalOnEveryScene) {
+    for (const char* name : {"ball:1000", "rooms", "scatter:300"}) {
+        load(name);
+        for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
+            expect_exact({.traversal = traversal}, Pass::rt_prim, 64, 48);
+    }
+}
+
+TEST_P(BallotGl, EveryKindOfRay) {
+    load("cornell");
+    for (const Pass rays : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl}) expect_exact({}, rays, 64, 64);
+}
+
+TEST_P(BallotGl, TheBordersOfThePictureAreIdleLanes) {
+    load("ball:1000");
+    for (const auto& [width, height] : {std::pair(61, 37), std::pair(64, 37), std::pair(61, 40), std::pair(3, 5)})
+        expect_exact({}, Pass::rt_prim, width, height);
+}
+
+TEST_P(BallotGl, TheShaderTellsTheShapeOfItsGroups) {
+    load("ball:1000");
+    const BallotReport report = check({}, Schedule::while_while, Pass::rt_prim, 64, 64);
+    if (expected_width() > 0) {
+        EXPECT_EQ(report.group_size, expected_width());
+    }
+    EXPECT_GE(report.group_size, 4);
+    EXPECT_EQ(report.tile_width * report.tile_height, report.group_size) << "groups are tiles of pixels";
+    EXPECT_EQ(report.groups, 64 * 64 / report.group_size);
+    EXPECT_EQ(report.rays, 64 * 64);
+    RecordProperty("width", report.group_size);
+}
+
+TEST_P(BallotGl, TheTwoLoopsAreTwoMachines) {
+    load("ball:1000");
+    const BallotReport one = check({}, Schedule::if_if, Pass::rt_prim, 64, 64);
+    const BallotReport two = check({}, Schedule::while_while, Pass::rt_prim, 64, 64);
+    EXPECT_EQ(one.measured.steps, two.measured.steps) << "the same walks";
+    EXPECT_NE(one.measured.iterations, two.measured.iterations) << "or the test could not tell them apart";
+}
+
+TEST_P(BallotGl, RefusesWhatHasNoLoop) {
+    load("ball:1000");
+    const auto message = [&](const TraceConfig& config, Schedule loop) -> std::string {
+        try {
+            (void)check(config, loop, Pass::rt_prim, 8, 8);
+        } catch (const BallotError& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_NE(message({.traversal = Traversal::naive}, Schedule::if_if).find("naive"), std::string::npos);
+    EXPECT_NE(message({.rules = Rules::as_published}, Schedule::if_if).find("as-published"), std::string::npos);
+    EXPECT_NE(message({}, Schedule::lockstep).find("if-if or while-while"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kd
