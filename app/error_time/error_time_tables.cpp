@@ -48,7 +48,7 @@ std::string tree_csv(const TreeReport& report) {
         text += fmt::format(",cost_per_{}_ray", name == "reflection shadow" ? "reflection_shadow" : name);
     text +=
         ",build_ms,build_ms_p25,build_ms_p75,builds,frame_ms,frame_ms_p25,frame_ms_p75,frames,sah_ratio,frame_ratio,"
-        "frame_ratio_p25,frame_ratio_p75,break_even_frames,on_front,is_reference\n";
+        "frame_ratio_low,frame_ratio_high,break_even_frames,on_front,is_reference\n";
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const TreeRow& r = report.rows[i];
         const double lines = double(std::max<std::int64_t>(r.lines.rays, 1));
