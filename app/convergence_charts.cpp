@@ -19,7 +19,7 @@ void fit(Chart& chart) {
 }
 
 Ink ink_of(std::size_t i) {
-    constexpr std::array inks{Ink::cpu, Ink::gpu, Ink::green, Ink::red, Ink::purple, Ink::light};
+    constexpr std::array inks{Ink::green, Ink::red, Ink::purple, Ink::light, Ink::reference};
     return inks[i % inks.size()];
 }
 

@@ -129,9 +129,7 @@ Chart fault_chart(const HitReport& report, const HitFamily& family) {
     };
     Chart chart = hit_chart(report, family, "rays lost or wrong per million", fill);
     chart.note =
-        fmt::format("{}, and up to the 95 % bound; open: none seen, drawn at that bound; rings: nothing is both "
-                    "quicker and better",
-                    hit_note);
+        fmt::format("{}, up to the 95 % bound; open: none seen, at that bound; rings: unbeaten in both", hit_note);
     return chart;
 }
 
@@ -246,8 +244,7 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
         curve->points.push_back(std::move(point));
     }
     chart.lines.push_back({"the reference", 1, false});
-    chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: nothing "
-                 "is both built sooner and traced sooner";
+    chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: unbeaten in both";
     fit_axes(chart);
     return chart;
 }

@@ -73,13 +73,15 @@ class Run {
     }
 
     ErrorTimeResults measure() {
-        ErrorTimeResults results;
-        results.config = config_;
-        results.seconds = 1e-3 * wall_ms([&] {
-                              for (const OpenedScene& opened : scenes_) results.scenes.push_back(measure_scene(opened));
-                              if (config_.wants(ErrorReport::p2)) results.hits = measure_hits();
-                          });
-        return results;
+        const Session& first = scenes_.front().session;
+        results_.config = config_;
+        results_.on = measured_on(first.threads, first.seed, nullptr);
+        results_.seconds = 1e-3 * wall_ms([&] {
+                               for (const OpenedScene& opened : scenes_)
+                                   results_.scenes.push_back(measure_scene(opened));
+                               if (config_.wants(ErrorReport::p2)) results_.hits = measure_hits();
+                           });
+        return std::move(results_);
     }
 
   private:

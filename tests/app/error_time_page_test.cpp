@@ -59,6 +59,9 @@ TEST(ErrorTimeCommand, QuickReportsOfASmallSceneAreWhole) {
                              "p1-ball-300-rmse-cpu.csv", "p3-ball-300-lines.csv", "p4-ball-300-frames.csv"})
         EXPECT_TRUE(fs::exists(out / name)) << name;
     EXPECT_FALSE(fs::exists(out / "p2.csv"));
+    const std::string table = read_file(out / "p1-ball-300.csv");
+    EXPECT_TRUE(std::regex_search(table, std::regex("# version: [0-9]"))) << table.substr(0, 500);
+    EXPECT_TRUE(std::regex_search(table, std::regex("# cpu: .")));
 }
 
 TEST(ErrorTimeCommand, WhatDoesNotApplyIsLeftOutAndSaid) {
@@ -96,7 +99,9 @@ TEST(ErrorTimeCommand, InterruptedLeavesNoPage) {
 HitReport two_rows() {
     HitReport report;
     report.rays = 1000;
-    HitRow none{.family = "T15", .method = {}, .n = 1000};
+    HitRow none;
+    none.family = "T15";
+    none.n = 1000;
     none.upper95 = 0.003;
     none.ns = 500;
     none.quartiles = {490, 510};
