@@ -66,12 +66,12 @@ PaperScene count_scene(const PaperConfig& config, const std::string& name, const
     scene.triangles = world.scene.triangles.size();
     scene.nodes = world.tree.nodes.size();
     scene.build_ms = world.build_ms;
-    scene.rays =
-        count_rays(world.scene, world.tree, config.base.trace, world.camera, config.base.width, config.base.height);
+    scene.rays = count_rays(world.scene, world.tree, config.base.trace, world.camera, config.base.width,
+                            config.base.height, stop);
     for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack}) {
         const Frame frame = counted_frame(config, world, counting(config, traversal), stop);
         if (stop.stop_requested()) break;
-        const DivergenceSummary divergence =
+        const EfficiencySummary divergence =
             summarise_divergence(frame.layer(Pass::rt_prim), paper_tile_width, paper_tile_height);
         scene.counts.push_back({traversal, sum_of(pass_totals(frame, scene.rays)), divergence.weighted});
     }
