@@ -302,7 +302,7 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
 
 void Engine::start_duel() {
     if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.paper.active) return;  // its times are not to be disturbed
+    if (state_.paper.active) return;                              // its times are not to be disturbed
     if (state_.stability.active || state_.widths.active) return;  // they take all processors
     if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
     if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
