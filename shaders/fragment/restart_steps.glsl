@@ -21,8 +21,7 @@ void begin_at_root()
 
 void begin_walk(IN(RaySetup) s)
 {
-    walk_trail.low = 0u;
-    walk_trail.high = 0u;
+    walk_trail = new_trail();
     if (!enter_walk(s)) return;
     walk_root_begin = walk_begin;
     walk_root_end = walk_end;

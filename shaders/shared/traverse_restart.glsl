@@ -10,6 +10,17 @@ struct Trail {
 #endif
 };
 
+/// Every far child is still to come.
+KD_FN Trail new_trail()
+{
+    Trail trail;
+    trail.low = 0u;
+#if KD_LONG_TRAIL
+    trail.high = 0u;
+#endif
+    return trail;
+}
+
 KD_FN bool trail_bit(IN(Trail) trail, int level)
 {
 #if KD_LONG_TRAIL
@@ -42,11 +53,7 @@ KD_FN void traverse_restart(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     real root_end;
     if (!enter_tree(s, root_begin, root_end)) return;
 
-    Trail trail;
-    trail.low = 0u;
-#if KD_LONG_TRAIL
-    trail.high = 0u;
-#endif
+    Trail trail = new_trail();
     int turned_at = -1; // level of the last change of the trail; nodes down to it have been seen before
     int budget = step_budget();
 
