@@ -29,7 +29,6 @@ namespace kd {
 namespace {
 
 constexpr double resting_wait_s = 0.25, working_wait_s = 0.03, lively_wait_s = 0.016, preview_wait_s = 0.03;
-constexpr int frames_after_input = 2;
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -43,31 +42,6 @@ double exit_after_s() {
     return seconds;
 }
 
-WindowLoop& loop_of(GLFWwindow* window) { return *static_cast<WindowLoop*>(glfwGetWindowUserPointer(window)); }
-
-/// Those of Dear ImGui come from here too: keys and buttons wait for a frame that can take them.
-void install_callbacks(GLFWwindow* window, WindowLoop& loop) {
-    glfwSetWindowUserPointer(window, &loop);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        loop_of(w).on_input("key");
-        loop_of(w).on_key({key, scancode, action, modifiers, 0});
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { loop_of(w).on_key({.character = character}); });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { loop_of(w).on_input("move"); });
-    glfwSetMouseButtonCallback(
-        window, [](GLFWwindow* w, int button, int action, int) { loop_of(w).on_button(button, action == GLFW_PRESS); });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        loop_of(w).on_input("scroll");
-        ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
-    glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
-    glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { loop_of(w).on_input("resize"); });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) loop_of(w).on_drop(paths[0]);
-    });
-}
-
 }  // namespace
 
 WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMemory& memory)
@@ -77,7 +51,7 @@ WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMem
     std::error_code error;
     edit_.window.folder = home_short(std::filesystem::current_path(error));
     (void)gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
-    install_callbacks(window.handle(), *this);
+    install_callbacks();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().UserData = &places_;
@@ -108,50 +82,6 @@ WindowLoop::~WindowLoop() {
 WindowMemory WindowLoop::memory() const {
     const WindowSize size = window_.size();
     return {size.width, size.height, window_.maximised(), sizes_, edit_.window};
-}
-
-void WindowLoop::on_input(const char* kind) {
-    log_.input(kind, engine_->now());
-    ++inputs_[kind];
-    engine_->note_input();
-    lively_frames_ = frames_after_input;
-}
-
-void WindowLoop::on_key(const KeyEvent& event) { waiting_keys_.add(event); }
-
-void WindowLoop::on_button(int button, bool down) {
-    on_input("button");
-    waiting_keys_.pause();
-    double x = 0, y = 0;
-    glfwGetCursorPos(window_.handle(), &x, &y);
-    waiting_buttons_.add({button, down, float(x), float(y), engine_->now(), drawing_s_});
-}
-
-/// After the GLFW backend, which knows only what is down and where the mouse is now, and before the frame.
-void WindowLoop::take_buttons() {
-    const ButtonFrame frame = waiting_buttons_.take();
-    ImGuiIO& io = ImGui::GetIO();
-    std::ranges::copy(frame.down, io.MouseDown);
-    if (frame.change) io.MousePos = {frame.change->x, frame.change->y};
-    io.MouseDoubleClickTime = frame.second_of_two ? std::numeric_limits<float>::max() : 0;
-    if (!waiting_buttons_.empty()) lively_frames_ = frames_after_input;
-}
-
-void WindowLoop::take_keys() {
-    for (const KeyEvent& event : waiting_keys_.take()) {
-        if (event.character != 0) {
-            ImGui_ImplGlfw_CharCallback(window_.handle(), event.character);
-            continue;
-        }
-        ImGui_ImplGlfw_KeyCallback(window_.handle(), event.key, event.scancode, event.action, event.modifiers);
-        if (event.action != GLFW_RELEASE) keys_.push_back(event);
-    }
-    if (!waiting_keys_.empty()) lively_frames_ = frames_after_input;
-}
-
-void WindowLoop::on_drop(const std::string& path) {
-    on_input("drop");
-    dropped_.push_back(path);
 }
 
 bool WindowLoop::resting() const { return lively_frames_ <= 0; }

@@ -40,6 +40,9 @@ class WindowLoop {
     void on_drop(const std::string& path);
 
   private:
+    static constexpr int frames_after_input = 2;
+
+    void install_callbacks();
     void wait() const;
     void draw_frame();
     void lay_out_frame();

@@ -118,7 +118,7 @@ TEST(CliUsage, VersionIsOneLine) {
 }
 
 TEST(CliUsage, UnknownCommandNamesCommandsAndScenes) {
-    for (const char* word : {"rneder", "papre", "errortime", "Render", ""})
+    for (const char* word : {"rneder", "papre", "traverse", "Render", ""})
         expect_usage_error(run_kdscope({word, "ball:9000"}),
                            {std::string("'") + word + "'", "render", "verify", "ball", "rooms"});
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A file that is dropped onto the window is shown; the list of scenes has its name, also the next time; a bad one is told.
+SCREEN=1280x900  # SCENE is unfolded
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 command -v python3 >/dev/null || skip "python3 is not installed"
 

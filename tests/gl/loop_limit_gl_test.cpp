@@ -45,7 +45,8 @@ class LoopLimitGl : public ContextTest {
         });
         const FlatScene scene = test::scene_of(test::random_soup(3, 0.2f, 1));
         const KdTree tree = build_tree(scene.triangles, {});
-        const SceneUpload upload(gl(), GlLimits{}, scene, tree);
+        SceneUpload upload(gl(), GlLimits{}, scene, tree);
+        upload.prepare({}, scene_needs(upload.facts(), {}));
         upload.bind();
         const UniformBuffer<gl_blocks::FrameBlock> frame(gl());
         gl_blocks::FrameBlock frame_data{};
