@@ -39,7 +39,8 @@ class CpuSource final : public FrameSource {
 /// Cuts frames into tiles small enough to stop between.
 class GlSource final : public FrameSource {
   public:
-    GlSource(Context& context, std::function<void(int)> compiling) : tracer_(context) {
+    GlSource(Context& context, std::function<void(int)> compiling)
+        : tracer_(context), software_(context.is_software()) {
         tracer_.tell_compiling(std::move(compiling));
     }
 
@@ -58,6 +59,10 @@ class GlSource final : public FrameSource {
         return drawer_.draw(tracer_, complete(task), task.camera, frame.width, frame.height, stop, progress);
     }
 
+    void wake(const FrameTask& task, const Frame& frame, const std::stop_token& stop) override {
+        if (!software_) drawer_.wake(tracer_, complete(task), task.camera, frame.width, frame.height, stop);
+    }
+
     void read(const FrameTask& task, Frame& frame) override { frame = tracer_.read_frame(task.config); }
     [[nodiscard]] std::string clock() const override { return drawer_.clock(); }
 
@@ -71,6 +76,7 @@ class GlSource final : public FrameSource {
 
     std::shared_ptr<const World> world_;  // before the tracer that reads it
     GlTracer tracer_;
+    bool software_;
     GlFrameDrawer drawer_{tile_ms};
 };
 

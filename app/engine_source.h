@@ -32,6 +32,8 @@ class FrameSource {
 
     /// Makes tables, programs and targets, outside of any timing. InputError where the source has to refuse.
     virtual void prepare(const FrameTask& task, int width, int height) = 0;
+    /// Before a frame that is timed: see GlFrameDrawer::wake().
+    virtual void wake(const FrameTask&, const Frame&, const std::stop_token&) {}
     /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.
     virtual FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
                             const std::function<void(float)>& progress) = 0;

@@ -214,6 +214,7 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
     const std::shared_ptr<Frame> scratch = frames_.take(reply.width, reply.height);
     const auto time = [&](FrameSource& machine) {
         machine.prepare(task, reply.width, reply.height);
+        machine.wake(task, *scratch, stop);
         return machine.trace(task, *scratch, stop, {});
     };
     const FrameTime cpu = time(source(TracerKind::cpu));

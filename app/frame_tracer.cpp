@@ -68,6 +68,7 @@ class GlFrameTracer final : public FrameTracer {
                     const std::function<void(float)>& progress) override {
         context_->make_current();
         warm_up(config, camera, width, height);
+        if (!context_->is_software()) drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
         return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
     }
 

@@ -6,6 +6,10 @@ namespace kd {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds idle_after{5}, awake_after{60};
+
 void add(const GlFrameReport& report, FrameTime& time) {
     time.total_ms += report.total_ms;
     time.wall_ms += report.wall_ms;
@@ -44,7 +48,18 @@ FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, con
         done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
         if (progress) progress(float(double(done) / double(pixels)));
     }
+    drawn_ = Clock::now();
     return time;
+}
+
+int GlFrameDrawer::wake(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
+                        int height, const std::stop_token& stop) {
+    const Clock::time_point begun = Clock::now();
+    if (begun - drawn_ < idle_after) return 0;
+    int frames = 0;
+    for (; !stop.stop_requested() && (frames == 0 || Clock::now() - begun < awake_after); ++frames)
+        (void)draw(tracer, config, camera, width, height, stop, {});
+    return frames;
 }
 
 }  // namespace kd

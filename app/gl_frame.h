@@ -1,6 +1,7 @@
 // Whole frames by OpenGL, in tiles.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -20,6 +21,11 @@ class GlFrameDrawer {
     /// The frame stays in the tracer's targets; incomplete where stopped.
     FrameTime draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
                    const std::stop_token& stop, const std::function<void(float)>& progress);
+    /// Before a frame that is timed on hardware: where the GPU has idled, draws frames that do not count until its clocks
+    /// are up again. They fall within milliseconds (H100: from 1980 to 345 MHz), and the first frame after a pause takes
+    /// as many times longer. Returns how many frames it drew.
+    int wake(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
+             const std::stop_token& stop);
     /// Another scene: its speed is not known.
     void forget_speed() { plans_.clear(); }
     /// What the times were read from.
@@ -38,6 +44,7 @@ class GlFrameDrawer {
     double tile_ms_;
     std::vector<Planned> plans_;
     std::string clock_ = "not read yet";
+    std::chrono::steady_clock::time_point drawn_;  // when the last frame ended
 };
 
 }  // namespace kd
