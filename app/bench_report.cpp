@@ -23,12 +23,13 @@ Json passes_json(const TimedRounds& timed) {
 
 /// "upload 3.1 ms, compile 410.2 ms; RTPrim 12.00, ShadePrim 8.31 ms".
 std::string parts_text(const BenchRow& row) {
-    std::string text = fmt::format("upload {:.1f} ms, compile {:.1f} ms;", row.setup.upload_ms, row.setup.compile_ms);
+    std::string passes;
     for (std::size_t p = 0; p < pass_count; ++p)
         if (const TimeSummary time = row.timed.pass(p); time.samples > 0)
-            text += fmt::format(" {} {:.2f},", pass_names[p], time.median_ms);
-    text.back() = ' ';
-    text += "ms";
+            passes += fmt::format("{} {} {:.2f}", passes.empty() ? ";" : ",", pass_names[p], time.median_ms);
+    if (!passes.empty()) passes += " ms";
+    std::string text =
+        fmt::format("upload {:.1f} ms, compile {:.1f} ms{}", row.setup.upload_ms, row.setup.compile_ms, passes);
     if (const double off = row.timed.clock_discrepancy(); off != 0)
         text += fmt::format("; the steady clock says {:+.1f} %", 100 * off);
     return text;

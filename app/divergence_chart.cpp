@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "viz/chart_axis.h"
+#include "viz/chart_csv.h"
 
 namespace kd {
 
@@ -60,7 +61,7 @@ std::string divergence_csv(const std::string& scene, const DivergenceReport& rep
     for (const DivergencePoint& point : report.points)
         for (const ScheduleInfo& schedule : schedules()) {
             const EfficiencySummary& e = point.by_schedule[std::size_t(schedule.id)];
-            text += fmt::format("\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", scene,
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(scene),
                                 info(report.traversal).name, ray_names[std::size_t(report.rays)], report.pixels,
                                 point.lanes(), point.tile_width, point.tile_height, schedule.name, e.groups, e.steps,
                                 e.iterations, csv_number(e.weighted), csv_number(e.weighted_median),

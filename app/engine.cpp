@@ -112,6 +112,8 @@ void Engine::run_sweep(const std::string& id) {
 
 void Engine::run_paper(bool quick) {
     stop_duel();
+    cancel_needs();
+    widths_.cancel();
     PaperConfig config = paper_config(quick);
     config.base.seed = state_.session.seed;
     config.gpu = bool(options_.open_gl);

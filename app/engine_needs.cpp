@@ -12,6 +12,7 @@ constexpr int needs_rounds = 11;  // 6 are the least that give an interval of 95
 
 void Engine::measure_needs() {
     if (!state_.world || state_.stale() || state_.working() || state_.stability.active) return;
+    if (state_.paper.active) return;  // its times are not to be disturbed
     stop_duel();
     state_.needs = {};
     state_.needs.active = true;

@@ -363,7 +363,7 @@ void Engine::receive(const DuelReply& reply) {
 
 /// Of the frame and the rays that the picture shows. A picture that changes is left alone.
 void Engine::start_widths() {
-    if (!options_.widths || !traced_.frame) return;
+    if (!options_.widths || !traced_.frame || state_.paper.active) return;
     const Pass rays = state_.session.view.map.rays;
     if (widths_.is_of(traced_, rays)) return;
     widths_.cancel();

@@ -8,7 +8,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds idle_after{5}, awake_after{60};
+constexpr std::chrono::milliseconds idle_after{5}, awake_after{500};
 
 void add(const GlFrameReport& report, FrameTime& time) {
     time.total_ms += report.total_ms;

@@ -30,7 +30,10 @@ std::string ScriptLegend::script(int top, int height) const {
             text +=
                 fmt::format("set object rectangle {} fillcolor rgb '{}' fillstyle solid noborder\n", ends, e.colour);
         else if (e.dash)
-            text += fmt::format("set arrow {} nohead lw 2 dt {} lc rgb '{}'\n", ends, e.dash, e.colour);
+            // gnuplot draws lines of one colour and width as one, all in the first one's dashes: none has its neighbour's
+            // width.
+            text += fmt::format("set arrow {} nohead lw {} dt {} lc rgb '{}'\n", ends, i % 2 == 0 ? "2" : "2.01",
+                                e.dash, e.colour);
         if (!e.bar && e.symbol > 0)
             text += fmt::format("set label '' at screen {:.4f}, screen {:.4f} point pt {} ps 0.9 lc rgb '{}'\n",
                                 across(x + sample / 2.0), y, e.symbol, e.colour);

@@ -1,5 +1,7 @@
 #include "renderer/measure/error_time/sampling.h"
 
+#include <utility>
+
 #include "renderer/scene/random.h"
 
 namespace kd {
@@ -29,6 +31,10 @@ std::vector<glm::dvec2> sample_offsets(Sampler sampler, int count, std::uint64_t
         else
             offsets.emplace_back((i % columns + u) / columns - 0.5, (i / columns + v) / rows - 0.5);
     }
+    // A picture that ends between two sets has seen cells from everywhere in the pixel.
+    if (sampler == Sampler::stratified)
+        for (std::size_t left = offsets.size(); left > 1; --left)
+            std::swap(offsets[left - 1], offsets[std::size_t(random.unit() * double(left))]);
     return offsets;
 }
 
