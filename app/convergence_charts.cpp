@@ -10,14 +10,6 @@ namespace kd {
 
 namespace {
 
-void fit(Chart& chart) {
-    fit_log(chart.x, places_of(chart.curves));
-    fit_log(chart.y, heights_of(chart.curves));
-    set_ticks(chart.x);
-    set_ticks(chart.y);
-    chart.shared_x = false;
-}
-
 Ink ink_of(std::size_t i) {
     constexpr std::array inks{Ink::green, Ink::red, Ink::purple, Ink::light, Ink::reference};
     return inks[i % inks.size()];
@@ -87,7 +79,7 @@ Chart convergence_chart(const ConvergenceState& state) {
     }
     if (!state.curves.empty() && state.curves.back().points.size() > 1)
         chart.curves.push_back(root_law(state.curves.back()));
-    fit(chart);
+    fit_as_diagram(chart);
     return chart;
 }
 
@@ -106,7 +98,7 @@ TriedChart tried_chart(const ConvergenceState& state, const Session& now) {
         made.chart.curves.push_back(std::move(curve));
         made.tried.push_back(std::move(tried));
     }
-    fit(made.chart);
+    fit_as_diagram(made.chart);
     return made;
 }
 

@@ -29,7 +29,7 @@ void PaperBench::start(const PaperConfig& config) {
         const std::shared_ptr<const PaperReport> report = report_of(run_paper(config, progress, stop));
         post([this, report] { state_.report = report; });
     };
-    run_.start(job, [this](const std::string& error) {
+    run_.start("the experiments", job, [this](const std::string& error) {
         state_.active = false;
         state_.error = error;
     });

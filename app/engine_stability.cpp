@@ -11,7 +11,7 @@ void StabilityBench::start(const std::string& id, bool sweeping, BackgroundRun::
     state_.fraction = 0;
     state_.what = "starting";
     state_.error.clear();
-    run_.start(std::move(job), [this](const std::string& error) {
+    run_.start(sweeping ? "the sweep" : "the case", std::move(job), [this](const std::string& error) {
         state_.active = false;
         state_.error = error;
     });

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/engine_state.h"
-#include "app/error_text.h"
 
 namespace kd {
 
@@ -20,43 +19,30 @@ void WidthBench::measure(const TracedFrame& traced, Pass rays, int threads) {
     state_.active = true;
     state_.fraction = 0;
     state_.error.clear();
-    worker_.submit([this, traced, rays, threads, ticket = ++ticket_](const std::stop_token& stop) {
-        const auto post = [&](std::function<void()> change) {
-            mailbox_.post([this, ticket, change = std::move(change)] {
-                if (ticket == ticket_) change();
-            });
-        };
-        std::shared_ptr<const DivergenceReport> report;
-        std::string error;
-        try {
-            auto made =
-                measure_divergence({.scene = traced.world->scene(),
-                                    .tree = traced.world->tree,
-                                    .config = traced.config,
-                                    .camera = traced.lens,
-                                    .width = traced.frame->width,
-                                    .height = traced.frame->height,
-                                    .rays = rays,
-                                    .threads = threads},
-                                   width_curve(), stop, [&](float done) {
-                                       post([this, done] { state_.fraction = std::max(state_.fraction, done); });
-                                   });
-            if (made) report = std::make_shared<const DivergenceReport>(*std::move(made));
-        } catch (const std::exception& e) {
-            error = error_text(e, "the curve");
-        }
-        post([this, report, error] {
-            state_.active = false;
-            state_.error = error;
-            if (report) state_.report = report;
-        });
+    const auto job = [this, traced, rays, threads](const std::stop_token& stop, const BackgroundRun::Post& post) {
+        auto report = measure_divergence({.scene = traced.world->scene(),
+                                          .tree = traced.world->tree,
+                                          .config = traced.config,
+                                          .camera = traced.lens,
+                                          .width = traced.frame->width,
+                                          .height = traced.frame->height,
+                                          .rays = rays,
+                                          .threads = threads},
+                                         width_curve(), stop, [&](float done) {
+                                             post([this, done] { state_.fraction = std::max(state_.fraction, done); });
+                                         });
+        if (!report) return;
+        post([this, made = std::make_shared<const DivergenceReport>(*std::move(report))] { state_.report = made; });
+    };
+    run_.start("the curve", job, [this](const std::string& error) {
+        state_.active = false;
+        state_.error = error;
     });
 }
 
 void WidthBench::cancel() {
     if (!state_.active) return;
-    worker_.cancel();
-    ++ticket_;
+    run_.cancel();
     state_.active = false;
     frame_.reset();
 }

@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/engine_mailbox.h"
-#include "app/engine_worker.h"
+#include "app/engine_background.h"
 #include "renderer/measure/frame_walks.h"
 
 namespace kd {
@@ -24,7 +23,7 @@ struct WidthState {
 class WidthBench {
   public:
     /// Results go through `mailbox` into `state`; both must outlive this.
-    WidthBench(Mailbox& mailbox, WidthState& state) : mailbox_(mailbox), state_(state) {}
+    WidthBench(Mailbox& mailbox, WidthState& state) : state_(state), run_(mailbox) {}
 
     /// Whether the report, or the one that is on its way, is of these rays of this frame; tells the state.
     bool is_of(const TracedFrame& traced, Pass rays);
@@ -33,12 +32,10 @@ class WidthBench {
     void cancel();
 
   private:
-    Mailbox& mailbox_;
     WidthState& state_;
     std::weak_ptr<const Frame> frame_;  // that the report is of, or shall be
     Pass rays_ = Pass::rt_prim;
-    std::uint64_t ticket_ = 0;
-    Worker worker_{Worker::Priority::low};  // last: joined before what its jobs use goes
+    BackgroundRun run_;  // last: joined before what its jobs use goes
 };
 
 }  // namespace kd

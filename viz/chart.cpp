@@ -28,6 +28,11 @@ std::string ChartAxis::text_at(double value) const {
     return tick == ticks.end() ? "" : tick->text;
 }
 
+ChartCurve& curve_named(Chart& chart, ChartCurve fresh) {
+    const auto found = std::ranges::find(chart.curves, fresh.name, &ChartCurve::name);
+    return found != chart.curves.end() ? *found : chart.curves.emplace_back(std::move(fresh));
+}
+
 Marker marker_of(const ChartCurve& curve) {
     if (curve.marker != Marker::by_ink) return curve.marker;
     switch (curve.ink) {

@@ -77,6 +77,9 @@ struct Chart {
     bool shared_x = true;   // curves have points at the same x, so that those are read out together
 };
 
+/// The chart's curve of that name; where there is none, `fresh` joins the chart. Good until another curve joins.
+ChartCurve& curve_named(Chart& chart, ChartCurve fresh);
+
 /// `by_ink` resolved.
 [[nodiscard]] Marker marker_of(const ChartCurve& curve);
 

@@ -69,6 +69,13 @@ std::vector<double> heights_of(const std::vector<ChartCurve>& curves) {
     return values;
 }
 
+std::vector<double> heights_of(const Chart& chart) {
+    std::vector<double> values = heights_of(chart.curves);
+    for (const ChartLine& line : chart.lines)
+        if (!line.upright) values.push_back(line.value);
+    return values;
+}
+
 std::vector<double> places_of(const std::vector<ChartCurve>& curves) {
     std::vector<double> values;
     for (const ChartCurve& curve : curves)
@@ -96,6 +103,14 @@ void fit_log(ChartAxis& axis, const std::vector<double>& values) {
     }
     axis.low = round_below(extent.least / 1.05);
     axis.high = round_above(extent.most * 1.05);
+}
+
+void fit_as_diagram(Chart& chart) {
+    fit_log(chart.x, places_of(chart.curves));
+    fit_log(chart.y, heights_of(chart));
+    set_ticks(chart.x);
+    set_ticks(chart.y);
+    chart.shared_x = false;
 }
 
 void fit_from_zero(ChartAxis& axis, const std::vector<double>& values) {

@@ -19,6 +19,8 @@ void set_ticks(ChartAxis& axis, const std::function<std::string(double)>& text =
 
 /// Every y of the curves and every end of its whiskers.
 [[nodiscard]] std::vector<double> heights_of(const std::vector<ChartCurve>& curves);
+/// The same, and every level line.
+[[nodiscard]] std::vector<double> heights_of(const Chart& chart);
 /// Every x of the curves and every end of its whiskers.
 [[nodiscard]] std::vector<double> places_of(const std::vector<ChartCurve>& curves);
 
@@ -26,6 +28,8 @@ void set_ticks(ChartAxis& axis, const std::function<std::string(double)>& text =
 void fit_decades(ChartAxis& axis, const std::vector<double>& values);
 /// Logarithmic, ends at 1, 2 or 5 times powers of ten: for values of few decades.
 void fit_log(ChartAxis& axis, const std::vector<double>& values);
+/// Both axes of a diagram whose points have an x of their own, with ticks: logarithmic, around curves and level lines.
+void fit_as_diagram(Chart& chart);
 /// Linear from 0 to a little above the largest value.
 void fit_from_zero(ChartAxis& axis, const std::vector<double>& values);
 

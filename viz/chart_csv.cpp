@@ -7,11 +7,6 @@ namespace kd {
 
 namespace {
 
-std::string comment(std::string line) {
-    std::ranges::replace(line, '\n', ' ');
-    return "# " + line + '\n';
-}
-
 std::string ends_of(const std::optional<ChartInterval>& interval) {
     return interval ? fmt::format("{},{}", interval->low, interval->high) : ",";
 }
@@ -31,6 +26,11 @@ std::string row_of(const ChartLine& line) {
 
 }  // namespace
 
+std::string csv_comment(std::string line) {
+    std::ranges::replace(line, '\n', ' ');
+    return "# " + line + '\n';
+}
+
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -43,9 +43,9 @@ std::string csv_field(const std::string& text) {
 
 std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments) {
     std::string text;
-    for (const std::string& line : comments) text += comment(line);
-    text += comment(chart.title) + comment("x: " + chart.x.label) + comment("y: " + chart.y.label);
-    if (!chart.note.empty()) text += comment(chart.note);
+    for (const std::string& line : comments) text += csv_comment(line);
+    text += csv_comment(chart.title) + csv_comment("x: " + chart.x.label) + csv_comment("y: " + chart.y.label);
+    if (!chart.note.empty()) text += csv_comment(chart.note);
     text += "curve,x,x_text,x_low,x_high,y,y_low,y_high,bound,marked,label,text\n";
     for (const ChartCurve& curve : chart.curves)
         for (const ChartPoint& point : curve.points) text += row_of(chart, curve, point);

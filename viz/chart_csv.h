@@ -11,7 +11,10 @@ namespace kd {
 /// One field of a line of CSV: quoted where it holds a comma, a quote or an end of line.
 [[nodiscard]] std::string csv_field(const std::string& text);
 
-/// Comments ("# "), then a header and a row for each point and reference line:
+/// A line of a table that is none of its rows: "# ", with its end.
+[[nodiscard]] std::string csv_comment(std::string line);
+
+/// Comments, then a header and a row for each point and reference line:
 /// curve,x,x_text,x_low,x_high,y,y_low,y_high,bound,marked,label,text. Fields that do not apply are empty.
 /// `comments`: lines told before title and axes, such as what the numbers were measured on.
 [[nodiscard]] std::string chart_csv(const Chart& chart, const std::vector<std::string>& comments);

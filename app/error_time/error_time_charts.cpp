@@ -11,17 +11,6 @@ namespace {
 
 ChartInterval drawn(const Interval& interval) { return {interval.low, interval.high}; }
 
-void fit_axes(Chart& chart) {
-    fit_log(chart.x, places_of(chart.curves));
-    std::vector<double> heights = heights_of(chart.curves);
-    for (const ChartLine& line : chart.lines)
-        if (!line.upright) heights.push_back(line.value);
-    fit_log(chart.y, heights);
-    set_ticks(chart.x);
-    set_ticks(chart.y);
-    chart.shared_x = false;
-}
-
 // --- P1 ---
 
 Ink ink_of(Sampler sampler) {
@@ -76,7 +65,7 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
     chart.note = fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; bars: middle half of "
                              "times, 95 % of errors; rings: unbeaten in both",
                              report.plan.width, report.plan.height, report.plan.most_samples);
-    fit_axes(chart);
+    fit_as_diagram(chart);
     return chart;
 }
 
@@ -96,21 +85,17 @@ Chart hit_chart(const HitReport& report, const HitFamily& family, const std::str
     chart.y.label = y_label;
     for (const HitRow& row : report.rows) {
         if (row.family != family.id) continue;
-        const std::string name = row.method.family_name();
-        auto curve = std::ranges::find(chart.curves, name, &ChartCurve::name);
-        if (curve == chart.curves.end()) {
-            chart.curves.push_back({name, ink_of(row.method)});
-            curve = chart.curves.end() - 1;
-            curve->form = Form::points;
-            curve->marker = row.method.in_double ? Marker::square : Marker::circle;
-        }
+        ChartCurve& curve = curve_named(chart, {.name = row.method.family_name(),
+                                                .ink = ink_of(row.method),
+                                                .form = Form::points,
+                                                .marker = row.method.in_double ? Marker::square : Marker::circle});
         ChartPoint point;
         point.x = row.ns;
         point.x_interval = drawn(row.quartiles);
         point.label = std::string(info(row.method.traversal).name).substr(0, 1);
-        if (fill(row, point)) curve->points.push_back(std::move(point));
+        if (fill(row, point)) curve.points.push_back(std::move(point));
     }
-    fit_axes(chart);
+    fit_as_diagram(chart);
     return chart;
 }
 
@@ -171,7 +156,7 @@ ChartCurve equality(const std::vector<ChartCurve>& curves) {
 void finish_prediction(Chart& chart) {
     chart.y.label = "cost that the surface area heuristic predicts";
     chart.curves.push_back(equality(chart.curves));
-    fit_axes(chart);
+    fit_as_diagram(chart);
 }
 
 Chart line_chart(const SceneErrorTime& scene) {
@@ -179,12 +164,8 @@ Chart line_chart(const SceneErrorTime& scene) {
     chart.title = fmt::format("{}: uniform lines that nothing stops", scene.session.scene);
     chart.x.label = "cost counted per line (t_t per interior node, t_i per triangle)";
     for (const TreeRow& row : scene.trees->rows) {
-        auto curve = std::ranges::find(chart.curves, row.builder, &ChartCurve::name);
-        if (curve == chart.curves.end()) {
-            chart.curves.push_back({row.builder, ink_of_index(chart.curves.size())});
-            curve = chart.curves.end() - 1;
-            curve->form = Form::points;
-        }
+        ChartCurve& curve =
+            curve_named(chart, {.name = row.builder, .ink = ink_of_index(chart.curves.size()), .form = Form::points});
         const double error = 1.96 * row.lines.standard_error();
         ChartPoint point;
         point.x = row.lines.mean_cost();
@@ -192,7 +173,7 @@ Chart line_chart(const SceneErrorTime& scene) {
         point.y = row.stats.sah_cost;
         point.label = fmt::format("{}", row.leaf_size);
         point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
-        curve->points.push_back(std::move(point));
+        curve.points.push_back(std::move(point));
     }
     chart.note = "numbers: most triangles of a leaf; bars (95 %) are narrower than the marks";
     finish_prediction(chart);
@@ -229,23 +210,19 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
     chart.x.label = "seconds to build";
     chart.y.label = fmt::format("{}, times that of {}", what, report.rows[report.reference].name());
     for (const TreeRow& row : report.rows) {
-        auto curve = std::ranges::find(chart.curves, row.builder, &ChartCurve::name);
-        if (curve == chart.curves.end()) {
-            chart.curves.push_back({row.builder, ink_of_index(chart.curves.size())});
-            curve = chart.curves.end() - 1;
-            curve->form = Form::points;
-        }
+        ChartCurve& curve =
+            curve_named(chart, {.name = row.builder, .ink = ink_of_index(chart.curves.size()), .form = Form::points});
         ChartPoint point;
         point.x = 1e-3 * row.build.median_ms;
         point.x_interval = ChartInterval{1e-3 * row.build.p25_ms, 1e-3 * row.build.p75_ms};
         point.label = fmt::format("{}", row.leaf_size);
         fill(row, point);
         point.text = fmt::format("{}: {:.3g} s, {:.4g} times", row.name(), point.x, point.y);
-        curve->points.push_back(std::move(point));
+        curve.points.push_back(std::move(point));
     }
     chart.lines.push_back({"the reference", 1, false});
     chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: unbeaten in both";
-    fit_axes(chart);
+    fit_as_diagram(chart);
     return chart;
 }
 

@@ -6,6 +6,7 @@
 #include "app/chart_files.h"
 #include "app/error_time/error_time_charts.h"
 #include "app/error_time/error_time_tables.h"
+#include "app/html.h"
 #include "renderer/io/file.h"
 #include "renderer/io/printable.h"
 
@@ -34,20 +35,6 @@ th:first-child, td:first-child { text-align: left; }
 <body>
 )";
 
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : printable(text, 2000)) {
-        switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
-        }
-    }
-    return safe;
-}
-
 using Cells = std::vector<std::string>;
 
 std::string row_of(const Cells& cells, const char* tag) {
@@ -68,7 +55,7 @@ class Page {
             "along y, both logarithmic: lower left is better. A ring marks what nothing beats in both.</p>\n";
         if (!can_draw_charts()) html_ += fmt::format("<p>{}.</p>\n", no_gnuplot_text);
         html_ += "<p class=\"small\">";
-        for (const std::string& line : measured_on_) html_ += escaped(line) + "<br>\n";
+        for (const std::string& line : measured_on_) html_ += html_text(line) + "<br>\n";
         html_ += fmt::format("All of it took {} s; {} s were aimed at.</p>\n",
                              number_("all, seconds", results_.seconds, "{:.0f}"),
                              number_("all, seconds aimed at", results_.config.seconds, "{:.0f}"));
@@ -93,7 +80,7 @@ class Page {
         std::string text;
         for (const std::string& line : measured_on_) text += "# " + printable(line, 1000) + '\n';
         save(name, text + csv);
-        html_ += fmt::format("<p class=\"small\">All its numbers: <a href=\"{0}\">{0}</a></p>\n", escaped(name));
+        html_ += fmt::format("<p class=\"small\">All its numbers: <a href=\"{0}\">{0}</a></p>\n", html_text(name));
     }
 
     void show(const std::vector<ErrorFigure>& figures) {
@@ -104,7 +91,7 @@ class Page {
             if (files.size() < 2) continue;
             html_ += fmt::format("<figure><a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a><figcaption><a "
                                  "href=\"{0}.csv\">{0}.csv</a></figcaption></figure>\n",
-                                 escaped(figure.name), escaped(figure.chart.title));
+                                 html_text(figure.name), html_text(figure.chart.title));
         }
         html_ += "</div>\n";
     }
@@ -112,8 +99,18 @@ class Page {
     void left_out(const SceneErrorTime& scene, ErrorReport report) {
         for (const LeftOut& left : scene.left_out)
             if (left.report == report)
-                html_ += fmt::format("<p><b>Left out</b> for {}: {}.</p>\n", escaped(scene.session.scene),
-                                     escaped(left.why));
+                html_ += fmt::format("<p><b>Left out</b> for {}: {}.</p>\n", html_text(scene.session.scene),
+                                     html_text(left.why));
+    }
+
+    /// A heading for each scene, what is left out for it, and what `write` makes of it.
+    template <class Write>
+    void each_scene(ErrorReport report, const Write& write) {
+        for (const SceneErrorTime& scene : results_.scenes) {
+            html_ += fmt::format("<h3>{}</h3>\n", html_text(scene.session.scene));
+            left_out(scene, report);
+            write(scene);
+        }
     }
 
     void table(const Cells& titles, const std::vector<Cells>& rows) {
@@ -132,12 +129,9 @@ class Page {
             "one, whose reference is computed in double precision from samples of its own; random samples by the root "
             "of their number (slope −0.5), stratified ones faster. Traversals find the same hits, so their curves are "
             "one curve shifted sideways by their speed: a gap along y would be a fault.</p>\n";
-        for (const SceneErrorTime& scene : results_.scenes) {
-            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
-            left_out(scene, ErrorReport::p1);
-            if (!scene.images || scene.images->curves.empty()) continue;
-            write_images(scene);
-        }
+        each_scene(ErrorReport::p1, [&](const SceneErrorTime& scene) {
+            if (scene.images && !scene.images->curves.empty()) write_images(scene);
+        });
     }
 
     void write_images(const SceneErrorTime& scene) {
@@ -148,7 +142,7 @@ class Page {
             "off by about {}. Size and samples are what fits into the time aimed at. RMSE is of the colours that the "
             "tracers compute, neither rounded nor clipped; FLIP (Andersson et al. 2020) of the same as "
             "displayed.</p>\n",
-            escaped(scene.contents), number_(at + "width", report.plan.width, "{:.0f}"),
+            html_text(scene.contents), number_(at + "width", report.plan.width, "{:.0f}"),
             number_(at + "height", report.plan.height, "{:.0f}"),
             number_(at + "most samples", report.plan.most_samples, "{:.0f}"),
             number_(at + "sets", report.plan.sets, "{:.0f}"),
@@ -217,11 +211,9 @@ class Page {
             "as likely as any other and that nothing stops, the predicted cost of a tree has to be the counted one: "
             "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay less, but better "
             "trees should still be better for them: that is what the rank correlation says.</p>\n";
-        for (const SceneErrorTime& scene : results_.scenes) {
-            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
-            left_out(scene, ErrorReport::p3);
+        each_scene(ErrorReport::p3, [&](const SceneErrorTime& scene) {
             if (scene.trees) write_predictions(scene);
-        }
+        });
     }
 
     void write_predictions(const SceneErrorTime& scene) {
@@ -269,13 +261,11 @@ class Page {
             "<h2>P4: build time against quality</h2>\n<p>A builder that looks harder for splits takes longer and makes "
             "trees whose frames are quicker. Whether that pays depends on how many frames are traced with the tree: "
             "from the break-even number on, the reference is the better choice.</p>\n";
-        for (const SceneErrorTime& scene : results_.scenes) {
-            html_ += fmt::format("<h3>{}</h3>\n", escaped(scene.session.scene));
-            left_out(scene, ErrorReport::p4);
+        each_scene(ErrorReport::p4, [&](const SceneErrorTime& scene) {
             const bool told =
                 std::ranges::any_of(scene.left_out, [](const LeftOut& l) { return l.report == ErrorReport::p4; });
             if (scene.trees && !told) write_builds(scene);
-        }
+        });
     }
 
     void write_builds(const SceneErrorTime& scene) {

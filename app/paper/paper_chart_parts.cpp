@@ -53,19 +53,14 @@ ChartPoint time_point(double x, const TimeSummary& time, const std::function<dou
 }
 
 void finish(Chart& chart) {
-    std::vector<double> heights = heights_of(chart.curves);
-    for (const ChartLine& line : chart.lines)
-        if (!line.upright) heights.push_back(line.value);
-    fit_log(chart.y, heights);
+    fit_log(chart.y, heights_of(chart));
     // Bars begin at the axis, so the shortest needs some length.
     if (std::ranges::any_of(chart.curves, [](const ChartCurve& c) { return c.form == Form::bars; })) chart.y.low /= 2;
     set_ticks(chart.y);
 }
 
 void finish_from_zero(Chart& chart, const std::function<std::string(double)>& text) {
-    std::vector<double> heights = heights_of(chart.curves);
-    for (const ChartLine& line : chart.lines) heights.push_back(line.value);
-    fit_from_zero(chart.y, heights);
+    fit_from_zero(chart.y, heights_of(chart));
     set_ticks(chart.y, text);
 }
 

@@ -37,12 +37,8 @@ void add_claim(Chart& chart, const PaperResults& r, PaperMethod method, double s
     const auto bar = std::ranges::find(chart.curves, label_of(r, method), &ChartCurve::name);
     if (bar == chart.curves.end() || !(ms > 0)) return;
     const ChartInterval side = bar_extent(chart, std::size_t(bar - chart.curves.begin()), scene);
-    auto marks = std::ranges::find(chart.curves, std::string("the paper's claim"), &ChartCurve::name);
-    if (marks == chart.curves.end()) {
-        chart.curves.push_back({"the paper's claim", Ink::reference, Stroke::solid, {}, Form::points});
-        marks = chart.curves.end() - 1;
-    }
-    marks->points.push_back({(side.low + side.high) / 2, ms, true, text});
+    ChartCurve& marks = curve_named(chart, {.name = "the paper's claim", .ink = Ink::reference, .form = Form::points});
+    marks.points.push_back({(side.low + side.high) / 2, ms, true, text});
 }
 
 double median_ms(const PaperResults& r, const std::string& scene, PaperMethod method) {

@@ -147,14 +147,9 @@ PaperFigure loop_ceiling(const PaperResults& r) {
     chart.y.label = "share of the pixels";
     constexpr std::array<Ink, 6> inks{Ink::cpu, Ink::light, Ink::green, Ink::purple, Ink::gpu, Ink::red};
     for (const PaperBudget& row : r.budgets) {
-        auto curve = std::ranges::find(chart.curves, row.scene, &ChartCurve::name);
-        if (curve == chart.curves.end()) {
-            const Ink ink = inks[chart.curves.size() % inks.size()];
-            chart.curves.push_back({row.scene, ink, Stroke::solid, {}});
-            curve = chart.curves.end() - 1;
-        }
+        ChartCurve& curve = curve_named(chart, {.name = row.scene, .ink = inks[chart.curves.size() % inks.size()]});
         const double share = double(row.unfinished) / double(std::max<std::int64_t>(row.pixels, 1));
-        curve->points.push_back(
+        curve.points.push_back(
             {double(row.budget), share, row.unfinished == 0,
              fmt::format("{} of {} pixels", number_text(double(row.unfinished)), number_text(double(row.pixels)))});
     }

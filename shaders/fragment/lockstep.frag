@@ -33,8 +33,7 @@ void step_leaf(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     }
     if (walk_left > 0) return;
     if (any_hit && hit.triangle >= 0) {
-        finish_walk(hit);
-        walking = false;
+        complete_walk(hit);
         return;
     }
     leave_leaf(s, hit);

@@ -31,8 +31,7 @@ void begin_walk(IN(RaySetup) s)
 void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
 {
     if (walk_pending_level < 0 || beyond_hit(hit, walk_pending_begin)) {
-        finish_walk(hit);
-        walking = false;
+        complete_walk(hit);
         return;
     }
     walk_trail = advance_trail(walk_trail, walk_pending_level);

@@ -43,8 +43,7 @@ void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
         found = !beyond_hit(hit, stack_begin[stack_depth]);
     }
     if (!found) {
-        finish_walk(hit);
-        walking = false;
+        complete_walk(hit);
         return;
     }
     walk_begin = stack_begin[stack_depth];

@@ -30,6 +30,13 @@ void end_walk(int reason)
     walking = false;
 }
 
+/// The walk has its answer.
+void complete_walk(IN(Hit) hit)
+{
+    finish_walk(hit);
+    walking = false;
+}
+
 void go_to(int node)
 {
     walk_at = node;

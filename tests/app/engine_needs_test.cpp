@@ -29,11 +29,7 @@ class EngineNeeds : public testing::TestWithParam<TracerKind> {
     }
 
     /// Compiling may take a while on a busy machine.
-    static bool patient_settle(Engine& engine) {
-        for (int i = 0; i < 6; ++i)
-            if (settle(engine)) return true;
-        return false;
-    }
+    static bool patient_settle(Engine& engine) { return settle(engine, 6 * test::patience()); }
 
     static bool force(Engine& engine, FeatureSet features) {
         Session session = engine.state().session;
@@ -94,10 +90,8 @@ TEST_P(EngineNeeds, WhatIsLeftOutIsTimedWhenAskedFor) {
     EXPECT_TRUE(engine->state().needs.times.empty());
     engine->measure_needs();
     EXPECT_TRUE(engine->state().needs.active);
-    bool done = false;
-    for (int i = 0; i < 12 && !done; ++i)
-        done = wait_until(*engine, [](const EngineState& s) { return !s.needs.active; });
-    ASSERT_TRUE(done);
+    ASSERT_TRUE(wait_until(
+        *engine, [](const EngineState& s) { return !s.needs.active; }, 12 * test::patience()));
     const EngineState& state = engine->state();
     EXPECT_EQ(state.needs.error, "");
     EXPECT_EQ(state.needs.times.size(),

@@ -28,8 +28,8 @@ inline EngineOptions quiet() {
 
 /// Polls until `done` holds; false where patience ends.
 template <class Done>
-bool wait_until(Engine& engine, const Done& done) {
-    const auto end = std::chrono::steady_clock::now() + test::patience();
+bool wait_until(Engine& engine, const Done& done, std::chrono::seconds patience = test::patience()) {
+    const auto end = std::chrono::steady_clock::now() + patience;
     while (true) {
         engine.poll();
         if (done(engine.state())) return true;
@@ -38,8 +38,9 @@ bool wait_until(Engine& engine, const Done& done) {
     }
 }
 
-inline bool settle(Engine& engine) {
-    return wait_until(engine, [](const EngineState& s) { return !s.stale() && !s.working(); });
+inline bool settle(Engine& engine, std::chrono::seconds patience = test::patience()) {
+    return wait_until(
+        engine, [](const EngineState& s) { return !s.stale() && !s.working(); }, patience);
 }
 
 inline bool has_error(const EngineState& state, const std::string& part) {

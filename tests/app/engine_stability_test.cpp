@@ -1,42 +1,27 @@
 // The stability suite behind the window.
 
-#include <chrono>
-#include <gtest/gtest.h>
-#include <thread>
-
-#include "app/engine.h"
+#include "tests/app/engine_run.h"
 
 namespace kd {
 namespace {
 
-using namespace std::chrono_literals;
-
-Session small_session() {
-    Session session;
-    session.scene = "ball:300";
+/// A small picture, which nobody looks at.
+Session tiny_session() {
+    Session session = small_session();
     session.width = 32;
     session.height = 24;
+    session.threads = 0;
     return session;
 }
 
-/// Polls until nothing of the suite runs; false after ten minutes, as a sanitizer makes a case take some.
+/// Polls until nothing of the suite runs: a sanitizer makes a case take some minutes.
 bool rests(Engine& engine) {
-    for (int i = 0; i < 600'000; ++i) {
-        engine.poll();
-        if (!engine.state().stability.active) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-EngineOptions quiet() {
-    EngineOptions options;
-    options.duel = false;
-    return options;
+    return wait_until(
+        engine, [](const EngineState& s) { return !s.stability.active; }, 10 * test::patience());
 }
 
 TEST(EngineStability, RunsACaseUnderTheRulesOfTheSession) {
-    Session session = small_session();
+    Session session = tiny_session();
     session.trace.rules = Rules::as_published;
     Engine engine(session, quiet());
     engine.run_case("T16", false);
@@ -53,7 +38,7 @@ TEST(EngineStability, RunsACaseUnderTheRulesOfTheSession) {
 }
 
 TEST(EngineStability, ASweepGrowsAndACancelKeepsWhatItHas) {
-    Engine engine(small_session(), quiet());
+    Engine engine(tiny_session(), quiet());
     engine.run_sweep("T14");
     const auto grown = [&] {
         const auto& sweeps = engine.state().stability.sweeps;
@@ -61,7 +46,7 @@ TEST(EngineStability, ASweepGrowsAndACancelKeepsWhatItHas) {
     };
     for (int i = 0; i < 60'000 && !grown(); ++i) {
         engine.poll();
-        std::this_thread::sleep_for(1ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     ASSERT_TRUE(grown());
     EXPECT_FALSE(engine.state().stability.sweeps.at("T14")->complete);
@@ -75,7 +60,7 @@ TEST(EngineStability, ASweepGrowsAndACancelKeepsWhatItHas) {
 }
 
 TEST(EngineStability, WhatCannotRunIsToldAndNothingElseHappens) {
-    Engine engine(small_session(), quiet());
+    Engine engine(tiny_session(), quiet());
     engine.run_sweep("T01");
     ASSERT_TRUE(rests(engine));
     EXPECT_NE(engine.state().stability.error.find("case 'T01': has no sweep"), std::string::npos);
