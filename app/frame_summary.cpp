@@ -64,6 +64,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"unfinished", unfinished_json(s.frame)},
     };
     if (s.needs) json["needs"] = *s.needs;
+    if (s.on) json["measured_on"] = json_of(*s.on);
     if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
     return json;
 }

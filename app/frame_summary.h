@@ -22,6 +22,7 @@ struct FrameSummary {
     const std::vector<std::string>& left_out;
     const JudgedLayer* judged = nullptr;  // null where nothing was compared
     std::optional<Json> needs{};          // where they were listed
+    std::optional<MeasuredOn> on{};       // where times are kept for later
 };
 
 /// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits. `rays` takes as long to count as the frame to

@@ -54,6 +54,14 @@ MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl) {
     return on;
 }
 
+MeasuredOn measured_on(int threads, unsigned seed, const Context& gl) {
+    MeasuredOn on = measured_on(threads, seed);
+    on.renderer = gl.renderer();
+    on.driver = gl.version();
+    on.software_gl = gl.is_software();
+    return on;
+}
+
 void check_frame_memory(int width, int height) {
     constexpr double per_pixel = sizeof(Vec4) + pass_count * (sizeof(Hit) + sizeof(RayCounters));
     const double needed = per_pixel * double(width) * double(height);

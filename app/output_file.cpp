@@ -89,6 +89,13 @@ void check_standard_output() {
         throw InputError(fmt::format("standard output: cannot be written to: {}", std::strerror(ENOSPC)));
 }
 
+std::string file_stem(const std::string& scene) {
+    std::string stem = fs::path(scene).stem().string();
+    for (char& c : stem)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
+    return stem;
+}
+
 void make_output_folder(std::string_view option, const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

@@ -23,6 +23,9 @@ struct InputFile {
 /// InputError where the program's standard output is closed, or a device that takes nothing.
 void check_standard_output();
 
+/// A scene's name as a part of file names: "ball-9000" of "ball:9000", "lantern" of "assets/scenes/lantern.gltf".
+[[nodiscard]] std::string file_stem(const std::string& scene);
+
 /// Makes the folder and those above it where they are missing. InputError naming the option.
 void make_output_folder(std::string_view option, const std::string& folder);
 

@@ -42,6 +42,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.renderer = tracer->renderer();
     r.clock = tracer->clock();
     r.software_gl = tracer->software_gl();
+    r.on = measured_on(s.threads, s.seed, s.tracer == TracerKind::cpu ? nullptr : tracer.get());
     if (needs_oracle(s.view)) {
         const DoubleOracle oracle(r.scene);
         r.judged = judge_frame(oracle, {r.frame, camera, s.view.map.rays, 1, s.threads}, context.stop,

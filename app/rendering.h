@@ -10,6 +10,7 @@
 #include "app/figure_text.h"
 #include "app/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
+#include "renderer/measure/measured_on.h"
 #include "renderer/scene/needs.h"
 #include "viz/text.h"
 
@@ -28,6 +29,7 @@ struct Rendering {
     FrameTime time;
     std::string renderer, clock;
     bool software_gl = false;
+    MeasuredOn on;
     std::vector<std::string> left_out;  // what scene and settings do not need
 };
 

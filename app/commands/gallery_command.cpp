@@ -54,14 +54,6 @@ std::vector<GalleryScene> gallery_scenes() {
     return scenes;
 }
 
-/// "ball:9000" and "assets/scenes/lantern.gltf" as parts of file names: "ball-9000", "lantern".
-std::string file_stem(const std::string& scene) {
-    std::string stem = fs::path(scene).stem().string();
-    for (char& c : stem)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
-    return stem;
-}
-
 ViewConfig view_of(const Picture& picture, const GalleryScene& scene) {
     ViewConfig view;
     view.show_map = picture.map != nullptr;

@@ -56,7 +56,8 @@ Json json_of(const Rendering& r, const std::optional<NeedsReport>& needs) {
                          .clock = r.clock,
                          .left_out = r.left_out,
                          .judged = r.judged ? &*r.judged : nullptr,
-                         .needs = needs ? std::optional(json_of(*needs)) : std::nullopt},
+                         .needs = needs ? std::optional(json_of(*needs)) : std::nullopt,
+                         .on = r.on},
                         rays);
 }
 

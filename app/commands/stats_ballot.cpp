@@ -1,19 +1,24 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fmt/format.h>
 #include <ostream>
 
 #include "app/commands/stats_divergence.h"
 #include "app/counted.h"
+#include "app/fonts.h"
 #include "app/json_values.h"
+#include "app/machine_info.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
+#include "renderer/io/png.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ballot_check.h"
 #include "renderer/scene/camera.h"
 #include "viz/chart_csv.h"
+#include "viz/legend.h"
 
 namespace kd {
 
@@ -130,6 +135,43 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Context& gl, c
     print_multiprocessors(out, rows);
 }
 
+/// "rooms-stack-if-if-reflection-shadow-measured.png".
+std::string map_file(const Row& row, const char* what) {
+    return fmt::format("{}-{}-{}-{}-{}.png", file_stem(row.scene), info(row.traversal).name, info(row.loop).name,
+                       file_stem(std::string(ray_names[std::size_t(row.rays)])), what);
+}
+
+void write_map(const std::filesystem::path& path, const Row& row, const Image<float>& values, const char* what,
+               const std::string& renderer, const Font& font) {
+    const BallotReport& r = row.report;
+    const ScalarMap map{.title = "lanes at work",
+                        .subject = fmt::format("{} rays", ray_names[std::size_t(row.rays)]),
+                        .unit = "share",
+                        .integer = false,
+                        .natural_range = ValueRange{0, 1},
+                        .values = values};
+    const HeatmapConfig heat;
+    const MapSummary summary = summarise_map(map, heat);
+    const std::string title = fmt::format("{}: lanes at work, {}", row.scene, what);
+    const std::string caption = fmt::format(
+        "{}, {}, groups of {} ({}); {}: {} of {} groups differ from what is computed", info(row.traversal).name,
+        info(row.loop).name, r.group_size, tile_text(r), renderer, r.differ, r.groups);
+    write_png(path,
+              compose_figure(paint_map(map, heat, summary.range), draw_legend(map, heat, summary, font), title, caption,
+                             font),
+              {{"Title", title}, {"Description", caption}, {"Software", "kdscope"}});
+}
+
+void write_maps(const std::string& folder, const std::vector<Row>& rows, const std::string& renderer) {
+    const Font font = picture_font();
+    for (const Row& row : rows) {
+        if (row.report.groups == 0) continue;
+        const std::filesystem::path base(folder);
+        write_map(base / map_file(row, "measured"), row, row.report.measured_map, "measured", renderer, font);
+        write_map(base / map_file(row, "computed"), row, row.report.computed_map, "computed", renderer, font);
+    }
+}
+
 /// Of a scene's traversals, loops and kinds of rays.
 void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOptions& options, const std::string& name,
               CommandContext& context, std::vector<Row>& rows) {
@@ -168,6 +210,7 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
                             info(traversal).name, info(config.rules).name));
     }
     check_outputs({{"--csv", options.csv}}, {});
+    if (!options.maps.empty()) make_output_folder("--maps", options.maps);
     const std::unique_ptr<Context> gl = Context::create(common.context.value_or(ContextKind::automatic));
     const BallotSupport support = ballot_support(gl->gl());
     if (support.kind == BallotSupport::Kind::none)
@@ -189,14 +232,17 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
         all.push_back(json_of(row));
     }
     if (json)
-        context.out << json_text({{"renderer", gl->renderer()},
-                                  {"software_gl", gl->is_software()},
-                                  {"extensions", support.extensions()},
-                                  {"exact", exact},
-                                  {"rows", all}});
+        context.out << json_text(
+            {{"measured_on", json_of(measured_on(common.session.threads, common.session.seed, *gl))},
+             {"renderer", gl->renderer()},
+             {"software_gl", gl->is_software()},
+             {"extensions", support.extensions()},
+             {"exact", exact},
+             {"rows", all}});
     else
         print(context.out, rows, *gl, support);
     if (!options.csv.empty()) write_file(options.csv, csv);
+    if (!options.maps.empty()) write_maps(options.maps, rows, gl->renderer());
     if (!json)
         context.out << (exact ? "exact: every group made as many iterations, with as many lanes, as were computed\n"
                         : gl->is_software()

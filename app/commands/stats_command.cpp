@@ -162,6 +162,7 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot) {
                       {"--rays", walks, no_walks},
                       {"--csv", walks, no_walks},
                       {"--svg", divergence, "only --divergence has a curve to draw; add it"},
+                      {"--maps", ballot, "only --ballot measures them; add it"},
                       {"--tile", divergence, "only --divergence has groups to choose; add it"}});
     for (const char* camera : {"--eye", "--target", "--up", "--fov", "--camera"})
         if (app.get_option_no_throw(camera)) refuse_idle(app, {{camera, walks, no_walks}});

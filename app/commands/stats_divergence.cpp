@@ -164,6 +164,10 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
     app.add_option("--svg", o.svg, "Also efficiency against width, a picture per table")
         ->type_name("FILE")
         ->group("Divergence");
+    app.add_option("--maps", o.maps,
+                   "Of --ballot: the measured and the computed efficiency of every group, as pictures")
+        ->type_name("FOLDER")
+        ->group("Divergence");
 }
 
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {

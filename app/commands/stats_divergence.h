@@ -11,6 +11,7 @@ struct DivergenceOptions {
     std::optional<Pass> rays;  // those given; else all that there are
     int tile_width = 0, tile_height = 0;
     std::string csv, svg;
+    std::string maps;  // folder
 };
 
 void add_divergence_options(CLI::App& app, DivergenceOptions& options);

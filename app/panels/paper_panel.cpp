@@ -141,7 +141,7 @@ void draw_paper_panel(const EngineState& state, Edit& edit) {
     else
         widgets::note(
             "The experiments of \"An Analysis of GPU-based Interactive Raytracing\", section 4, made again on this "
-            "machine: three tracers on a ball of three sizes, 25 rooms, and two scenes of small triangles. Press "
+            "machine: three tracers on a ball of four sizes, 25 rooms, and two scenes of small triangles. Press "
             "quick or full; the figures grow while they are measured.");
     ImGui::EndChild();
 }

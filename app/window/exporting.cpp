@@ -54,6 +54,17 @@ PngText png_text(const EngineState& state) {
     return png_text(title_of(state), caption_of(facts_of(state)), session, state.picture->view);
 }
 
+/// What the frame shown was timed on.
+MeasuredOn machine_of(const EngineState& state) {
+    MeasuredOn on = measured_on(state.session.threads, state.session.seed);
+    if (on_cpu(state)) return on;
+    on.renderer = state.gl.renderer;
+    on.driver = state.gl.version;
+    on.software_gl = state.gl.software;
+    on.gl_clock = state.picture->traced.clock;
+    return on;
+}
+
 }  // namespace
 
 fs::path next_file(const fs::path& folder, const std::string& extension) {
@@ -68,7 +79,7 @@ fs::path next_file(const fs::path& folder, const std::string& extension) {
     return folder / fmt::format("kdscope-{}{}", number, extension);
 }
 
-Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays) {
+Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays, const std::optional<MeasuredOn>& on) {
     const TracedFrame& traced = state.picture->traced;
     Session session = state.session;
     session.camera = traced.camera;  // also where it is the scene's own: files name it
@@ -82,7 +93,8 @@ Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays
                          .software_gl = !on_cpu(state) && state.gl.software,
                          .clock = traced.clock,
                          .left_out = traced.left_out,
-                         .judged = state.judged()},
+                         .judged = state.judged(),
+                         .on = on},
                         rays);
 }
 
@@ -94,7 +106,8 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
     if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
-    if (what == Action::export_json) write_file(path, json_text(summary_json(state, rays_of(traced))));
+    if (what == Action::export_json)
+        write_file(path, json_text(summary_json(state, rays_of(traced), machine_of(state))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
     if (!bare && !is_complete_for(traced, state.picture->view, true))

@@ -15,7 +15,8 @@ namespace kd {
 [[nodiscard]] std::filesystem::path next_file(const std::filesystem::path& folder, const std::string& extension);
 
 /// Of the picture shown, as the function of this name in app/frame_summary.h.
-[[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays);
+[[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays,
+                                const std::optional<MeasuredOn>& on = {});
 
 /// Everything but Action::export_window. Returns the path written. InputError.
 [[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state,

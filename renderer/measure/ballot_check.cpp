@@ -1,6 +1,7 @@
 #include "renderer/measure/ballot_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 #include <vector>
@@ -124,7 +125,9 @@ class Comparison {
     Comparison(const BallotTask& task, const Round& round, const BallotLayer& layer, BallotReport& report)
         : task_(task), round_(round), layer_(layer), report_(report) {}
 
-    void compare_groups() {
+    /// With `paint` the report's maps are of this round.
+    void compare_groups(bool paint) {
+        if (paint) report_.measured_map = report_.computed_map = Image<float>(task_.width, task_.height, NAN);
         for (const auto& [group, pixels] : groups_of(layer_)) {
             GroupTally measured;
             std::vector<const Phases*> phases;
@@ -134,7 +137,14 @@ class Comparison {
                              std::uint64_t(lane.led[0]) + lane.led[1], lane.led[0]};
                 if (round_.there[i]) phases.push_back(&round_.phases[i]);
             }
-            if (!phases.empty()) add(pixels.front(), measured, run_phases(phases, task_.loop));
+            if (phases.empty()) continue;
+            const GroupTally computed = run_phases(phases, task_.loop);
+            add(pixels.front(), measured, computed);
+            if (!paint) continue;
+            for (const std::size_t i : pixels) {
+                report_.measured_map.pixels[i] = float(measured.efficiency(layer_.group_size));
+                report_.computed_map.pixels[i] = float(computed.efficiency(layer_.group_size));
+            }
         }
     }
 
@@ -192,7 +202,7 @@ BallotReport check_ballots(GlTracer& tracer, const BallotTask& task, std::stop_t
         report.group_size = layer.group_size;
         find_tile(layer, report);
         Comparison comparison(task, round, layer, report);
-        comparison.compare_groups();
+        comparison.compare_groups(&round == &rounds.all().front());
         comparison.compare_rays(cpu, task.config);
         if (!layer.tells_multiprocessors) continue;
         for (const LaneBallots& lane : layer.lanes.pixels) ++report.multiprocessors[lane.multiprocessor];

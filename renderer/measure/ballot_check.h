@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string>
 
+#include "renderer/geometry/image.h"
 #include "renderer/gl/gl_tracer.h"
 
 namespace kd {
@@ -33,6 +34,8 @@ struct BallotReport {
     std::string first_difference;  // empty where none
     std::map<std::uint32_t, std::int64_t>
         multiprocessors;  // pixels that each ran; empty where the driver does not tell
+    /// Of the first round of rays, each group's efficiency on all of its pixels; NaN where it has no ray.
+    Image<float> measured_map, computed_map;
 
     [[nodiscard]] bool exact() const { return differ == 0 && unlike == 0 && groups > 0; }
 };

@@ -6,6 +6,7 @@
 #include "app/chart_files.h"
 #include "app/divergence_chart.h"
 #include "app/json_values.h"
+#include "renderer/io/png.h"
 #include "renderer/measure/frame_walks.h"
 #include "tests/app/cli_run.h"
 #include "tests/app/engine_run.h"
@@ -136,6 +137,23 @@ TEST(StatsBallot, TheGpusCountsAreTheComputedOnes) {
         EXPECT_EQ(row["computed"], row["measured"]);
         EXPECT_GT(row["groups"], 0);
     }
+}
+
+TEST(StatsBallot, DrawsTheMeasuredMapBesideTheComputedOne) {
+    const TestFolder folder;
+    const Outcome outcome = run_kdscope({"stats", "ball:300", "--ballot", "--traversal", "restart", "--rays", "primary",
+                                         "--size", "40x24", "--maps", folder.file("maps"), "--json"});
+    if (outcome.code == 3) GTEST_SKIP() << "NO BALLOTS: " << outcome.err;
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(Json::parse(outcome.out)["measured_on"]["driver"].get<std::string>().empty());
+    for (const char* loop : {"if-if", "while-while"}) {
+        const auto picture = [&](const char* what) {
+            return read_png(folder.file("maps") + "/ball-300-restart-" + loop + "-primary-" + what + ".png");
+        };
+        EXPECT_GT(picture("measured").width, 40) << "with a legend";
+        EXPECT_GT(picture("computed").width, 40);
+    }
+    expect_usage_error(run_kdscope({"stats", "ball:300", "--maps", folder.file("maps")}), {"--maps", "--ballot"});
 }
 
 TEST(RenderWalks, DrawsTheMapsOfGroups) {

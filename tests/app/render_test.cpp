@@ -160,6 +160,8 @@ TEST(Render, JsonDescribesThePicture) {
     EXPECT_GE(data["ms"]["build"], 0);
     EXPECT_GT(data["ms"]["trace"], 0);
     EXPECT_TRUE(data["renderer"].is_string());
+    for (const char* fact : {"date", "cpu", "commit", "compiler", "flags"})
+        EXPECT_FALSE(data["measured_on"][fact].get<std::string>().empty()) << fact;
     EXPECT_FALSE(data["left_out"].empty());
     EXPECT_NE(outcome.out.find(folder.file("a.csv") + " (768 rows)\n"), std::string::npos) << outcome.out;
     const std::string csv = read_file(folder.file("a.csv"));

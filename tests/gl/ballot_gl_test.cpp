@@ -1,6 +1,7 @@
 // Lanes counted by the machine against lanes computed: on a software renderer, whose groups nothing else decides, they are
 // the same integers.
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "renderer/gl/ballots.h"
@@ -50,7 +51,7 @@ class BallotGl : public ContextTest {
         }
     }
 
-    /// The test runs once as the renderer is and once with narrower vectors (tests/CMakeLists.txt).
+    /// The test runs once as the renderer is, and with each of two widths that it is told (tests/CMakeLists.txt).
     static int expected_width() {
         const char* bits = std::getenv("LP_NATIVE_VECTOR_WIDTH");
         return bits ? std::atoi(bits) / 32 : 0;
@@ -91,6 +92,16 @@ TEST_P(BallotGl, TheShaderTellsTheShapeOfItsGroups) {
     EXPECT_EQ(report.tile_width * report.tile_height, report.group_size) << "groups are tiles of pixels";
     EXPECT_EQ(report.groups, 64 * 64 / report.group_size);
     EXPECT_EQ(report.rays, 64 * 64);
+    EXPECT_EQ(report.measured_map, report.computed_map);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const int left = x / report.tile_width * report.tile_width,
+                      top = y / report.tile_height * report.tile_height;
+            EXPECT_GT(report.measured_map.at(x, y), 0.0f);
+            ASSERT_EQ(report.measured_map.at(x, y), report.measured_map.at(left, top)) << "one value a group";
+        }
+    const auto [least, most] = std::ranges::minmax(report.measured_map.pixels);
+    EXPECT_LT(least, most) << "groups differ from each other";
     RecordProperty("width", report.group_size);
 }
 

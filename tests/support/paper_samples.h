@@ -15,8 +15,9 @@ using PaperMs = std::map<std::pair<std::string, PaperMethod>, double>;
 inline PaperMs papers_own_ms() {
     using enum PaperMethod;
     PaperMs ms;
-    const std::map<std::string, double> cpurt_ms{{"ball:1000", 100}, {"ball:4000", 140},     {"ball:9000", 163},
-                                                 {"rooms", 722},     {"scatter:10000", 200}, {"sheet:10000", 200}};
+    const std::map<std::string, double> cpurt_ms{{"ball:1000", 100},  {"ball:4000", 140}, {"ball:9000", 163},
+                                                 {"ball:81000", 226}, {"rooms", 722},     {"scatter:10000", 200},
+                                                 {"sheet:10000", 200}};
     for (const auto& [scene, base] : cpurt_ms) {
         const bool diverging = scene.starts_with("s");
         ms[{scene, cpurt}] = base;

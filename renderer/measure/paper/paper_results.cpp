@@ -19,13 +19,14 @@ std::span<const PaperMethodInfo> paper_methods() {
 const PaperMethodInfo& info(PaperMethod method) { return paper_methods()[static_cast<std::size_t>(method)]; }
 
 std::span<const PaperSceneInfo> paper_scenes() {
-    static constexpr std::array<PaperSceneInfo, 6> table{{
-        {"ball:1000", "4.1", "open box and a ball of 1000 triangles"},
-        {"ball:4000", "4.1", "the same with 4000"},
-        {"ball:9000", "4.1", "the same with 9000"},
-        {"rooms", "4.2", "25 rooms with a box each, of which one is seen"},
-        {"scatter:10000", "4.3", "small triangles scattered in a box"},
-        {"sheet:10000", "4.3", "a wavy sheet of small triangles"},
+    static constexpr std::array<PaperSceneInfo, 7> table{{
+        {"ball:1000", "4.1", "open box and a ball of 1000 triangles", true},
+        {"ball:4000", "4.1", "the same with 4000", true},
+        {"ball:9000", "4.1", "the same with 9000", true},
+        {"ball:81000", "4.1", "the same with 81 000, beyond the paper's sizes", false},
+        {"rooms", "4.2", "25 rooms with a box each, of which one is seen", true},
+        {"scatter:10000", "4.3", "small triangles scattered in a box", true},
+        {"sheet:10000", "4.3", "a wavy sheet of small triangles", true},
     }};
     return table;
 }

@@ -40,8 +40,9 @@ struct PaperSceneInfo {
     std::string_view name;     // "ball:1000"
     std::string_view section;  // of the paper
     std::string_view what;     // for people
+    bool papers_own;           // else larger than any of the paper's: for the law of growth alone (claim E1a)
 };
-/// 4.1: three sizes; 4.2: rooms; 4.3: both readings of a scene of small visible triangles.
+/// 4.1: three sizes, and a larger one; 4.2: rooms; 4.3: both readings of a scene of small visible triangles.
 [[nodiscard]] std::span<const PaperSceneInfo> paper_scenes();
 
 /// Lanes of the groups that the neighbours' divergence is told for: 8 x 4 pixels, 32 as on GPUs of today.
