@@ -17,6 +17,8 @@ wait_for '^paper.figures.figure-13=' 120
 click_on "PAPER/figure-13"
 wait_for '^paper.figure=figure-13$'
 [[ -n $(place "PAPER/figure") ]] || fail "there is no chart"
+# The chart gets a group of bars for each scene that is counted; the last one is wanted.
+wait_for '^paper.what=(nodes|loops|preparing|warming|round)' 240
 point_at "PAPER/figure" 0.9 && hold && let_go
 wait_for '^settings.scene=sheet:10000$' 60
 
