@@ -144,12 +144,13 @@ std::string map_file(const Row& row, const char* what) {
 void write_map(const std::filesystem::path& path, const Row& row, const Image<float>& values, const char* what,
                const std::string& renderer, const Font& font) {
     const BallotReport& r = row.report;
-    const ScalarMap map{.title = "lanes at work",
-                        .subject = fmt::format("{} rays", ray_names[std::size_t(row.rays)]),
-                        .unit = "share",
-                        .integer = false,
-                        .natural_range = ValueRange{0, 1},
-                        .values = values};
+    ScalarMap map;
+    map.title = "lanes at work";
+    map.subject = fmt::format("{} rays", ray_names[std::size_t(row.rays)]);
+    map.unit = "share";
+    map.integer = false;
+    map.natural_range = ValueRange{0, 1};
+    map.values = values;
     const HeatmapConfig heat;
     const MapSummary summary = summarise_map(map, heat);
     const std::string title = fmt::format("{}: lanes at work, {}", row.scene, what);
