@@ -11,6 +11,7 @@
 #include "app/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/scene/needs.h"
+#include "renderer/trace/lockstep_layer.h"
 #include "viz/text.h"
 
 namespace kd {

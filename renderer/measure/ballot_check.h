@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/trace/lockstep.h"
 
 namespace kd {
 
