@@ -117,7 +117,7 @@ void print(std::ostream& out, const NeedsReport& report) {
     if (report.renderer.empty()) return;
     out << fmt::format(
         "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn:\nthe median and the "
-        "interval that holds it with 95 %. No difference seen: the interval holds 0.\nMemory: of tables and targets. "
+        "interval that holds it with 95 %. No difference seen: the interval holds 0.\nMemory: of tables and targets.\n"
         "Clock: {}; {}.\n",
         counted(std::size_t(report.rounds), "round"), report.clock, report.renderer);
 }

@@ -207,9 +207,9 @@ namespace {
 
 constexpr int note_line = 14;  // pixels from line to line of the note
 
-/// The note in lines that the figure's width holds, at the 6 pixels or so that a letter takes.
+/// The note in lines that the figure's width holds, at the 5.7 pixels that a letter of its size takes.
 std::vector<std::string> note_lines(const std::string& note, int width) {
-    return wrap_text(note, std::size_t(std::max(width - 20, 60)) / 6);
+    return wrap_text(note, std::size_t(std::max(width - 20, 60)) * 10 / 57);
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ Chart line_chart(const SceneErrorTime& scene) {
         point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
         curve.points.push_back(std::move(point));
     }
-    chart.note = "numbers: most triangles of a leaf; whiskers (95 %) are narrower than the marks";
+    chart.note = "numbers: most triangles of a leaf; whiskers: 95 %";
     finish_prediction(chart);
     return chart;
 }

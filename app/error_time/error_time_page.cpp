@@ -216,8 +216,9 @@ class Page {
         html_ +=
             "<h2>P3: what the surface area heuristic predicts, and what is paid</h2>\n<p>For lines of which each is "
             "as likely as any other and that nothing stops, the predicted cost of a tree has to be the counted one: "
-            "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay less, but better "
-            "trees should still be better for them: that is what the rank correlation says.</p>\n";
+            "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay something else, "
+            "mostly "
+            "less, but better trees should still be better for them: that is what the rank correlation says.</p>\n";
         each_scene(ErrorReport::p3, [&](const SceneErrorTime& scene) {
             if (scene.trees) write_predictions(scene);
         });

@@ -184,6 +184,7 @@ TEST(HitReportTest, WalksAnswerAsTheTracersDo) {
 TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
     for (const char* name : {"ball:2000", "scatter:2000", "cornell"}) {
         const FlatScene scene = scene_of(name);
+        const bool dense = std::string_view(name) != "scatter:2000";
         TreeTask task{.scene = scene,
                       .build = {},
                       .trace = {},
@@ -199,8 +200,10 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
             EXPECT_NEAR(row.line_cost_ratio(), 1, 0.05) << name << ' ' << row.name();
             EXPECT_NEAR(row.line_interior_ratio(), 1, 0.05) << name << ' ' << row.name();
             EXPECT_NEAR(row.line_test_ratio(), 1, 0.05) << name << ' ' << row.name();
-            EXPECT_LT(row.cost_per_ray[0], row.stats.sah_cost) << name << ' ' << row.name() << ": surfaces stop them";
-            EXPECT_GT(row.cost_per_ray[0], 0.1 * row.stats.sah_cost) << name << ' ' << row.name();
+            // Surfaces stop camera rays early, but where there are gaps they cross more than a line that enters anywhere.
+            const double paid = row.cost_per_ray[0] / row.stats.sah_cost;
+            EXPECT_GT(paid, dense ? 0.3 : 1.1) << name << ' ' << row.name();
+            EXPECT_LT(paid, dense ? 1.0 : 1.4) << name << ' ' << row.name();
             EXPECT_EQ(row.build.samples, 6);
             EXPECT_EQ(row.frame_ratio.samples, 6);
             EXPECT_TRUE(row.frame_ratio.sure());
