@@ -5,11 +5,15 @@
 #include <ostream>
 
 #include "app/counted.h"
+#include "app/terminal.h"
 #include "app/text_table.h"
 
 namespace kd {
 
 namespace {
+
+/// Four digits or so, whatever the size.
+std::string ms_text(double ms) { return fmt::format("{:.{}f}", ms, ms >= 1000 ? 0 : ms >= 100 ? 1 : 2); }
 
 Json ms_or_null(double ms) { return ms < 0 ? Json(nullptr) : Json(ms); }
 
@@ -37,7 +41,7 @@ std::string parts_text(const BenchRow& row) {
 
 void print_head(std::ostream& out, const BenchScene& bench) {
     const Session& s = bench.session;
-    out << fmt::format("{}: {}, {} tree built in {:.1f} ms, {}x{}, {} rays: {} primary, {} shadow, {} reflection, "
+    out << fmt::format("{}: {}, {} tree built in {:.1f} ms, {}x{}\n{} rays: {} primary, {} shadow, {} reflection, "
                        "{} reflection shadow\n",
                        s.scene, counted(bench.scene.triangles.size(), "triangle"), s.build.builder,
                        1e3 * bench.build.seconds, s.width, s.height, bench.ray_sum(), bench.rays[0], bench.rays[1],
@@ -48,28 +52,36 @@ TextTable table_of(const BenchScene& bench) {
     using enum TextTable::Align;
     TextTable table({{"tracer", left},
                      {"traversal", left},
-                     {"ms median"},
+                     {"ms"},
                      {"p25"},
                      {"p75"},
-                     {"of the first", left},
                      {"Mray/s"},
-                     {"steps/ray"},
-                     {"tests/ray"},
-                     {"clock", left},
-                     {"renderer", left}});
+                     {"steps"},
+                     {"tests"},
+                     {"of the first", left}});
     const double rays = double(std::max<std::int64_t>(bench.ray_sum(), 1));
     for (const BenchRow& row : bench.rows) {
         const TimeSummary time = row.timed.total();
-        table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name),
-                       fmt::format("{:.2f}", time.median_ms), fmt::format("{:.2f}", time.p25_ms),
-                       fmt::format("{:.2f}", time.p75_ms),
-                       &row == &bench.rows.front() ? "" : ratio_text(bench.of_first(row)),
-                       fmt::format("{:.2f}", bench.mrays_per_s(row)),
+        table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name), ms_text(time.median_ms),
+                       ms_text(time.p25_ms), ms_text(time.p75_ms), fmt::format("{:.2f}", bench.mrays_per_s(row)),
                        fmt::format("{:.1f}", double(row.counters.interior_first + row.counters.interior_again) / rays),
-                       fmt::format("{:.1f}", double(row.counters.triangle_tests) / rays), row.clock,
-                       row.renderer + (row.software_gl ? " (software, not a GPU)" : "")});
+                       fmt::format("{:.1f}", double(row.counters.triangle_tests) / rays),
+                       &row == &bench.rows.front() ? "" : ratio_text(bench.of_first(row))});
     }
     return table;
+}
+
+/// A line for each tracer: what it is, and what its times were read from.
+std::string tracers_text(const BenchScene& bench) {
+    std::string text;
+    for (auto row = bench.rows.begin(); row != bench.rows.end(); ++row) {
+        const bool told =
+            std::any_of(bench.rows.begin(), row, [&](const BenchRow& before) { return before.tracer == row->tracer; });
+        if (!told)
+            text += fmt::format("{}: {}{}; clock: {}\n", name_of(row->tracer), row->renderer,
+                                row->software_gl ? " (software, not a GPU)" : "", row->clock);
+    }
+    return text;
 }
 
 }  // namespace
@@ -113,15 +125,17 @@ Json bench_json(const BenchScene& bench, const BenchRow& row) {
 
 void print(std::ostream& out, const BenchScene& bench, int warmup) {
     print_head(out, bench);
-    table_of(bench).print(out);
+    table_of(bench).print(out, terminal_width());
+    out << tracers_text(bench);
     for (const BenchRow& row : bench.rows)
         if (row.setup.compile_ms >= 0)
             out << fmt::format("{} {}: {}\n", name_of(row.tracer), info(row.traversal).name, parts_text(row));
     for (const std::string& note : bench.notes) out << "note: " << note << '\n';
     const std::size_t rounds = bench.rows.empty() ? 0 : bench.rows.front().timed.rounds.size();
     out << fmt::format(
-        "Whole frames; {} in turn after {} warm-up; compiling, uploading and counting apart. In brackets: "
-        "the 95 % interval of the median ratio, round by round.\n",
+        "Whole frames; {} in turn after {} warm-up; compiling, uploading and counting apart.\nms: median; p25 to p75: "
+        "their middle half; steps at nodes and triangle tests per ray;\nin brackets: the 95 % interval of the median "
+        "ratio, round by round.\n",
         counted(rounds, "round"), warmup);
 }
 

@@ -1,18 +1,27 @@
 #include "app/convergence_charts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/measure/error_time/ranking.h"
+#include "app/sampled_curve_look.h"
 #include "viz/chart_axis.h"
 
 namespace kd {
 
 namespace {
 
-Ink ink_of(std::size_t i) {
-    constexpr std::array inks{Ink::green, Ink::red, Ink::purple, Ink::light, Ink::reference};
-    return inks[i % inks.size()];
+/// As on the page of errortime. Curves that differ in rules or tree alone would look the same; the later of them get inks that no
+/// sampler has.
+void give_look(const ConvergenceCurve& of, ChartCurve& curve, const std::vector<ChartCurve>& before) {
+    curve.ink = ink_of(of.sampler);
+    curve.stroke = stroke_of(of.session.trace.traversal);
+    curve.marker = marker_of_machine(of.session.tracer == TracerKind::cpu);
+    const auto looks_like = [&](const ChartCurve& other) {
+        return other.ink == curve.ink && other.stroke == curve.stroke && other.marker == curve.marker;
+    };
+    for (const Ink other : {Ink::blue, Ink::reference, Ink::green})
+        if (std::ranges::any_of(before, looks_like)) curve.ink = other;
 }
 
 /// Through the curve's first point, falling by the root of the number of samples.
@@ -62,12 +71,10 @@ Chart convergence_chart(const ConvergenceState& state) {
     chart.title = "Error of the sampled picture";
     chart.x.label = "seconds of tracing";
     chart.y.label = "RMSE, estimated from two half-buffers";
-    for (std::size_t i = 0; i < state.curves.size(); ++i) {
-        const ConvergenceCurve& of = state.curves[i];
+    for (const ConvergenceCurve& of : state.curves) {
         if (of.points.empty()) continue;
-        ChartCurve curve{of.name(), ink_of(i)};
-        if (of.sampler == Sampler::stratified) curve.stroke = Stroke::dashed;
-        curve.marker = of.session.tracer == TracerKind::cpu ? Marker::circle : Marker::square;
+        ChartCurve curve{of.name()};
+        give_look(of, curve, chart.curves);
         for (const ConvergenceCurve::Point& p : of.points) {
             ChartPoint point;
             point.x = p.seconds;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "viz/chart_axis.h"
-#include "viz/chart_csv.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -51,9 +51,8 @@ Chart width_chart(const DivergenceReport& report) {
 std::string divergence_csv_head() {
     return "scene,traversal,rays,pixels,lanes,tile_width,tile_height,schedule,groups,steps,iterations,efficiency,"
            "weighted_median,weighted_p5,mean,median,p5,node_steps,lanes_per_node_step,nodes_per_node_step,"
-           "sectors_per_node_step,lines_per_node_step,coherence,triangles_per_group,leaves_per_group,r_triangles,r_"
-           "leaves,"
-           "overhead,median_overhead,unlike_hits\n";
+           "sectors_per_node_step,lines_per_node_step,coherence,triangles_per_group,leaves_per_group,r_triangles,"
+           "r_leaves,overhead,median_overhead,unlike_hits\n";
 }
 
 std::string divergence_csv(const std::string& scene, const DivergenceReport& report) {
@@ -61,24 +60,22 @@ std::string divergence_csv(const std::string& scene, const DivergenceReport& rep
     for (const DivergencePoint& point : report.points)
         for (const ScheduleInfo& schedule : schedules()) {
             const EfficiencySummary& e = point.by_schedule[std::size_t(schedule.id)];
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_field(scene),
-                                info(report.traversal).name, ray_names[std::size_t(report.rays)], report.pixels,
-                                point.lanes(), point.tile_width, point.tile_height, schedule.name, e.groups, e.steps,
-                                e.iterations, csv_number(e.weighted), csv_number(e.weighted_median),
-                                csv_number(e.weighted_p5), csv_number(e.mean), csv_number(e.median), csv_number(e.p5));
             // Reads and hits are those of one schedule.
             const bool measured = schedule.id == Schedule::while_while && point.reads.iterations > 0;
             const NodeReads& reads = point.reads;
+            const auto if_measured = [&](double value) { return measured ? csv_number(value) : ""; };
             const auto per_step = [&](std::uint64_t sum) {
-                return measured ? csv_number(double(sum) / double(reads.iterations)) : "";
+                return if_measured(double(sum) / double(reads.iterations));
             };
-            const auto of_hits = [&](double value) { return measured ? csv_number(value) : ""; };
-            text += fmt::format(
-                ",{},{},{},{},{},{},{},{},{},{},{},{},{}\n", measured ? fmt::format("{}", reads.iterations) : "",
+            text += csv_row(
+                scene, info(report.traversal).name, ray_names[std::size_t(report.rays)], report.pixels, point.lanes(),
+                point.tile_width, point.tile_height, schedule.name, e.groups, e.steps, e.iterations,
+                csv_number(e.weighted), csv_number(e.weighted_median), csv_number(e.weighted_p5), csv_number(e.mean),
+                csv_number(e.median), csv_number(e.p5), measured ? std::optional(reads.iterations) : std::nullopt,
                 per_step(reads.lanes), per_step(reads.nodes), per_step(reads.sectors), per_step(reads.lines),
-                of_hits(reads.coherence()), of_hits(point.hits.mean_triangles), of_hits(point.hits.mean_leaves),
-                of_hits(point.hits.triangles), of_hits(point.hits.leaves), csv_number(report.overhead),
-                csv_number(report.median_overhead), report.unlike_hits);
+                if_measured(reads.coherence()), if_measured(point.hits.mean_triangles),
+                if_measured(point.hits.mean_leaves), if_measured(point.hits.triangles), if_measured(point.hits.leaves),
+                csv_number(report.overhead), csv_number(report.median_overhead), report.unlike_hits);
         }
     return text;
 }

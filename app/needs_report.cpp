@@ -6,6 +6,7 @@
 
 #include "app/counted.h"
 #include "app/progress_line.h"
+#include "app/terminal.h"
 #include "app/text_table.h"
 #include "viz/numbers.h"
 
@@ -92,13 +93,12 @@ void print(std::ostream& out, const NeedsReport& report) {
     using enum TextTable::Align;
     TextTable table({{"feature", left},
                      {"", left},
-                     {"because", left},
                      {"saves ms"},
                      {"from"},
                      {"to"},
                      {"share"},
                      {"memory"},
-                     {"--force", left}});
+                     {"because", left, true}});
     for (const NeedRow& row : report.rows) {
         std::string saved = "-", low, high, share;
         if (row.time) {
@@ -109,15 +109,16 @@ void print(std::ostream& out, const NeedsReport& report) {
                     : row.time->saved.sure() ? "no difference seen"
                                              : "too few rounds";
         }
-        table.add_row({std::string(row.feature->title), std::string(row.state()), row.need.why, saved, low, high, share,
-                       bytes_text(row.bytes), row.need.can_return ? std::string(row.feature->name) : ""});
+        const std::string force = row.need.can_return ? fmt::format(" (--force {})", row.feature->name) : "";
+        table.add_row({std::string(row.feature->title), std::string(row.state()), saved, low, high, share,
+                       bytes_text(row.bytes), row.need.why + force});
     }
-    table.print(out);
+    table.print(out, terminal_width());
     if (report.renderer.empty()) return;
     out << fmt::format(
-        "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn: the median "
-        "and the interval that holds it with 95 %.\nNo difference seen: the interval holds 0. Memory: of tables and "
-        "targets. Clock: {}; {}.\n",
+        "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn:\nthe median and the "
+        "interval that holds it with 95 %. No difference seen: the interval holds 0.\nMemory: of tables and targets.\n"
+        "Clock: {}; {}.\n",
         counted(std::size_t(report.rounds), "round"), report.clock, report.renderer);
 }
 

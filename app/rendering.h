@@ -12,6 +12,7 @@
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/measured_on.h"
 #include "renderer/scene/needs.h"
+#include "renderer/trace/lockstep_layer.h"
 #include "viz/text.h"
 
 namespace kd {

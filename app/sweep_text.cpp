@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <functional>
+#include <optional>
 #include <ostream>
 
 #include "app/text_table.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -40,7 +42,8 @@ void print_table(std::ostream& out, const SweepReport& report,
     table.print(out);
 }
 
-std::string or_empty(double value) { return value < 0 ? "" : fmt::format("{}", value); }
+/// A negative one says that nothing was hit.
+std::optional<double> known(double value) { return value < 0 ? std::nullopt : std::optional(value); }
 
 Json or_null(double value) { return value < 0 ? Json(nullptr) : Json(value); }
 
@@ -65,10 +68,9 @@ std::string sweep_csv(const SweepReport& report) {
         "seconds\n";
     for (const SweepRow& row : report.rows) {
         const SweepMethod& m = row.method;
-        text +=
-            fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.id, report.parameter,
-                        report.unit, row.value, m.tracer, m.context, m.rules, m.traversal, row.n, row.missed, row.wrong,
-                        row.share(), row.upper95, or_empty(row.p99_ulp), or_empty(row.worst_ulp), row.seconds);
+        text += csv_row(report.id, report.parameter, report.unit, row.value, m.tracer, m.context, m.rules, m.traversal,
+                        row.n, row.missed, row.wrong, row.share(), row.upper95, known(row.p99_ulp),
+                        known(row.worst_ulp), row.seconds);
     }
     return text;
 }

@@ -7,23 +7,30 @@
 
 namespace kd {
 
+/// Columns that tables are to keep within where nobody knows the terminal.
+inline constexpr std::size_t usual_width = 100;
+
 class TextTable {
   public:
     enum class Align { left, right };
     struct Column {
         std::string title;
         Align align = Align::right;
+        /// Where the table is too wide, the column's cells stand below their rows, in as many lines as they need.
+        bool may_drop = false;
     };
 
     explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
     /// As many cells as there are columns.
     void add_row(std::vector<std::string> cells);
-    void print(std::ostream& out) const;
+    /// Within `width` letters where it can be.
+    void print(std::ostream& out, std::size_t width = usual_width) const;
 
   private:
-    void print_row(std::ostream& out, const std::vector<std::string>& cells,
-                   const std::vector<std::size_t>& widths) const;
+    [[nodiscard]] std::vector<std::size_t> widths() const;
+    void print_row(std::ostream& out, const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
+                   bool dropping, std::size_t width) const;
 
     std::vector<Column> columns_;
     std::vector<std::vector<std::string>> rows_;

@@ -28,6 +28,8 @@ std::string ChartAxis::text_at(double value) const {
     return tick == ticks.end() ? "" : tick->text;
 }
 
+std::string heading_of(const Chart& chart) { return chart.title + " – " + chart.y.label; }
+
 ChartCurve& curve_named(Chart& chart, ChartCurve fresh) {
     const auto found = std::ranges::find(chart.curves, fresh.name, &ChartCurve::name);
     return found != chart.curves.end() ? *found : chart.curves.emplace_back(std::move(fresh));
@@ -51,6 +53,16 @@ ChartInterval bar_extent(const Chart& chart, std::size_t curve, double x) {
     const double width = 0.8 * tick_distance(chart) / std::max(bars, 1.0);
     const double low = x + width * (before - bars / 2);
     return {low, low + width};
+}
+
+bool drawn_as_bars(const Chart& chart, const ChartCurve& curve) {
+    return curve.form == Form::bars && !chart.y.logarithmic;
+}
+
+double mark_x(const Chart& chart, std::size_t curve, const ChartPoint& point) {
+    if (chart.curves[curve].form != Form::bars) return point.x;
+    const ChartInterval side = bar_extent(chart, curve, point.x);
+    return (side.low + side.high) / 2;
 }
 
 }  // namespace kd

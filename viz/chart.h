@@ -7,14 +7,15 @@
 
 namespace kd {
 
-/// Colours of one palette (Okabe and Ito's), told apart with any colour vision. The first two say the machine, the third
-/// what both are held against.
-enum class Ink { cpu, gpu, reference, green, red, purple, light, grey };
+/// Colours of one palette (viz/chart_palette.h). The first two say the machine, and nothing else wherever machines are
+/// compared; the third what both are held against.
+enum class Ink { cpu, gpu, reference, green, red, purple, blue, grey };
 enum class Stroke { solid, dashed, dotted };
 /// `by_ink`: circles for the CPU, squares for the GPU, diamonds for the reference, triangles for the rest.
 enum class Marker { by_ink, circle, square, diamond, triangle, none };
-/// What becomes of a curve's points: joined in their order, left apart, or the ends of bars that stand on the axis, side
-/// by side with those of other curves at the same x.
+/// What becomes of a curve's points: joined in their order, left apart, or side by side with those of other curves at the same
+/// x: as the ends of bars that stand on the axis, or, where that is logarithmic, so that no bar's length means anything, as
+/// marks (drawn_as_bars()).
 enum class Form { line, points, bars };
 
 /// low <= high.
@@ -77,14 +78,23 @@ struct Chart {
     bool shared_x = true;   // curves have points at the same x, so that those are read out together
 };
 
+/// Title and y axis in one line, where no text stands along the axis: "Worst error of t – ulp".
+[[nodiscard]] std::string heading_of(const Chart& chart);
+
 /// The chart's curve of that name; where there is none, `fresh` joins the chart. Good until another curve joins.
 ChartCurve& curve_named(Chart& chart, ChartCurve fresh);
 
 /// `by_ink` resolved.
 [[nodiscard]] Marker marker_of(const ChartCurve& curve);
 
+/// Whether the curve is drawn as bars: it is of Form::bars, and the y axis begins at a zero.
+[[nodiscard]] bool drawn_as_bars(const Chart& chart, const ChartCurve& curve);
+
 /// From where to where on the x axis the bar of curve `curve` at `x` goes: bars at a tick share four fifths of the distance
 /// to the next tick.
 [[nodiscard]] ChartInterval bar_extent(const Chart& chart, std::size_t curve, double x);
+
+/// Where on the x axis a point of curve `curve` stands: in the middle of its place where curves stand side by side.
+[[nodiscard]] double mark_x(const Chart& chart, std::size_t curve, const ChartPoint& point);
 
 }  // namespace kd

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "viz/chart.h"
+#include "viz/csv.h"
 
 namespace kd {
-
-/// One field of a line of CSV: quoted where it holds a comma, a quote or an end of line.
-[[nodiscard]] std::string csv_field(const std::string& text);
-
-/// A line of a table that is none of its rows: "# ", with its end.
-[[nodiscard]] std::string csv_comment(std::string line);
 
 /// Comments, then a header and a row for each point and reference line:
 /// curve,x,x_text,x_low,x_high,y,y_low,y_high,bound,marked,label,text. Fields that do not apply are empty.

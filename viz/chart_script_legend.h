@@ -9,7 +9,7 @@ namespace kd {
 /// A name with a sample of what it names.
 struct LegendEntry {
     std::string name;
-    const char* colour;
+    std::string colour;
     const char* dash;  // of a line through the sample; null: none
     int symbol;        // gnuplot's number; 0: none
     bool bar;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "viz/percentile.h"
+#include "renderer/geometry/order_statistics.h"
 
 namespace kd {
 namespace {

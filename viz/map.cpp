@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/geometry/input_error.h"
+#include "renderer/trace/lockstep_layer.h"
 
 namespace kd {
 namespace {

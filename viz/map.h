@@ -12,9 +12,11 @@
 
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
-#include "renderer/trace/lockstep_layer.h"
+#include "renderer/trace/schedule.h"
 
 namespace kd {
+
+struct LockstepLayer;  // renderer/trace/lockstep_layer.h
 
 /// Settings that some maps read.
 struct MapConfig {

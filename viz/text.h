@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,6 +41,11 @@ class Font {
 
 /// Lines no wider than `width` where words allow it; a longer word is broken. Keeps line breaks of the text.
 [[nodiscard]] std::vector<std::string> wrap_text(const Font& font, std::string_view text, float size, int width);
+/// The same for letters that are all as wide as each other.
+[[nodiscard]] std::vector<std::string> wrap_text(std::string_view text, std::size_t most_letters);
+/// The same for any way to say whether a line fits.
+[[nodiscard]] std::vector<std::string> wrap_text(std::string_view text,
+                                                 const std::function<bool(std::string_view)>& fits);
 
 /// Code points of UTF-8 text, U+FFFD for what is none.
 [[nodiscard]] std::u32string decode_utf8(std::string_view text);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 
 #include "viz/text.h"
 
@@ -41,33 +42,35 @@ char32_t next_code(std::string_view text, std::size_t& i) {
     return is_scalar(code, length) ? code : replacement;
 }
 
-/// Longest start of `text` that is at most `width` wide, at least one character; in bytes.
-std::size_t fitting_prefix(const Font& font, std::string_view text, float size, int width) {
+using Fits = std::function<bool(std::string_view)>;
+
+/// Longest start of `text` that fits, at least one character; in bytes.
+std::size_t fitting_prefix(std::string_view text, const Fits& fits) {
     std::size_t end = 0;
     next_code(text, end);
     while (end < text.size()) {
         std::size_t longer = end;
         next_code(text, longer);
-        if (font.width(text.substr(0, longer), size) > float(width)) break;
+        if (!fits(text.substr(0, longer))) break;
         end = longer;
     }
     return end;
 }
 
 /// Adds the words of one paragraph to `lines`.
-void wrap_paragraph(const Font& font, std::string_view text, float size, int width, std::vector<std::string>& lines) {
+void wrap_paragraph(std::string_view text, const Fits& fits, std::vector<std::string>& lines) {
     std::string line;
     while (!text.empty()) {
         const std::size_t space = std::min(text.find(' '), text.size());
         std::string_view word = text.substr(0, space);
         text.remove_prefix(std::min(space + 1, text.size()));
-        if (!line.empty() && font.width(line + ' ' + std::string(word), size) <= float(width)) {
+        if (!line.empty() && fits(line + ' ' + std::string(word))) {
             line += ' ' + std::string(word);
             continue;
         }
         if (!line.empty()) lines.push_back(line);
-        while (font.width(word, size) > float(width)) {
-            const std::size_t length = fitting_prefix(font, word, size, width);
+        while (!fits(word)) {
+            const std::size_t length = fitting_prefix(word, fits);
             if (length == word.size()) break;
             lines.emplace_back(word.substr(0, length));
             word.remove_prefix(length);
@@ -86,11 +89,19 @@ std::u32string decode_utf8(std::string_view text) {
 }
 
 std::vector<std::string> wrap_text(const Font& font, std::string_view text, float size, int width) {
+    return wrap_text(text, [&](std::string_view line) { return font.width(line, size) <= float(width); });
+}
+
+std::vector<std::string> wrap_text(std::string_view text, std::size_t most_letters) {
+    return wrap_text(text, [&](std::string_view line) { return decode_utf8(line).size() <= most_letters; });
+}
+
+std::vector<std::string> wrap_text(std::string_view text, const Fits& fits) {
     std::vector<std::string> lines;
     if (text.empty()) return lines;
     while (true) {
         const std::size_t end = text.find('\n');
-        wrap_paragraph(font, text.substr(0, end), size, width, lines);
+        wrap_paragraph(text.substr(0, end), fits, lines);
         if (end == std::string_view::npos) return lines;
         text.remove_prefix(end + 1);
     }

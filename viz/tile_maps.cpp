@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "renderer/trace/lockstep_layer.h"
 #include "viz/divergence.h"
 #include "viz/map.h"
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/trace/lockstep_layer.h"
 #include "viz/map.h"
 #include "viz/numbers.h"
 

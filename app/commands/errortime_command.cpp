@@ -83,7 +83,7 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
     }
     for (const SceneErrorTime& scene : results.scenes)
         for (const LeftOut& left : scene.left_out)
-            context.err << fmt::format("kdscope: note: {}: {} left out: {}\n", scene.session.scene,
+            context.err << fmt::format("kdscope: note: {}: {} left out: {}\n", scene.name.shown,
                                        error_report_names[std::size_t(left.report)], left.why);
     if (!can_draw_charts()) context.err << fmt::format("kdscope: note: {}\n", no_gnuplot_text);
     for (const std::string& name : write_error_time(options.folder, results, context.stop))

@@ -17,7 +17,7 @@
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ballot_check.h"
 #include "renderer/scene/camera.h"
-#include "viz/chart_csv.h"
+#include "viz/csv.h"
 #include "viz/legend.h"
 
 namespace kd {
@@ -73,11 +73,10 @@ Json json_of(const Row& row) {
 
 std::string csv_of(const Row& row) {
     const BallotReport& r = row.report;
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(row.scene),
-                       info(row.traversal).name, info(row.loop).name, ray_names[std::size_t(row.rays)], r.group_size,
-                       r.tile_width, r.tile_height, r.rays, r.groups, r.differ, r.unlike, r.computed.iterations,
-                       r.computed.interior_iterations, r.computed.steps, r.measured.iterations,
-                       r.measured.interior_iterations, r.measured.steps);
+    return csv_row(row.scene, info(row.traversal).name, info(row.loop).name, ray_names[std::size_t(row.rays)],
+                   r.group_size, r.tile_width, r.tile_height, r.rays, r.groups, r.differ, r.unlike,
+                   r.computed.iterations, r.computed.interior_iterations, r.computed.steps, r.measured.iterations,
+                   r.measured.interior_iterations, r.measured.steps);
 }
 
 constexpr const char* csv_head =

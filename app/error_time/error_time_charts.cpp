@@ -1,8 +1,12 @@
 #include "app/error_time/error_time_charts.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
 
+#include "app/common_options.h"
+#include "app/sampled_curve_look.h"
 #include "viz/chart_axis.h"
 
 namespace kd {
@@ -13,17 +17,9 @@ ChartInterval drawn(const Interval& interval) { return {interval.low, interval.h
 
 // --- P1 ---
 
-Ink ink_of(Sampler sampler) {
-    switch (sampler) {
-        case Sampler::regular: return Ink::green;
-        case Sampler::independent: return Ink::red;
-        case Sampler::stratified: break;
-    }
-    return Ink::purple;
-}
-
 Stroke stroke_of(const std::string& traversal) {
-    return traversal == "restart" ? Stroke::dashed : traversal == "backtrack" ? Stroke::dotted : Stroke::solid;
+    const auto found = std::ranges::find(traversals(), traversal, &TraversalInfo::name);
+    return found == traversals().end() ? Stroke::solid : stroke_of(found->id);
 }
 
 enum class Measure { rmse, flip };
@@ -46,7 +42,7 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
                   const Wanted& wanted) {
     const ImageReport& report = *scene.images;
     Chart chart;
-    chart.title = fmt::format("{}: {}", scene.session.scene, title);
+    chart.title = fmt::format("{}: {}", scene.name.shown, title);
     chart.x.label = "seconds per image";
     chart.y.label = measure == Measure::rmse ? "RMSE against the converged image" : "mean FLIP against it";
     for (const ImageCurve& curve : report.curves) {
@@ -54,17 +50,17 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
         ChartCurve drawn_curve;
         drawn_curve.name = fmt::format("{}, {}", name_of(curve.sampler), by_machine ? curve.machine : curve.traversal);
         drawn_curve.ink = ink_of(curve.sampler);
-        const bool gpu = curve.machine != "cpu";
-        drawn_curve.stroke = !by_machine ? stroke_of(curve.traversal) : gpu ? Stroke::dashed : Stroke::solid;
-        drawn_curve.marker = gpu ? Marker::square : Marker::circle;
+        drawn_curve.stroke = stroke_of(curve.traversal);
+        drawn_curve.marker = marker_of_machine(curve.machine == name_of(TracerKind::cpu));
         for (const ImagePoint& point : curve.points) drawn_curve.points.push_back(point_of(curve, point, measure));
         chart.curves.push_back(std::move(drawn_curve));
     }
     if (measure == Measure::rmse && report.reference_rmse > 0)
         chart.lines.push_back({"the reference's own error", report.reference_rmse, false, Ink::grey, Stroke::dotted});
-    chart.note = fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; bars: middle half of "
-                             "times, 95 % of errors; rings: unbeaten in both",
-                             report.plan.width, report.plan.height, report.plan.most_samples);
+    chart.note =
+        fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; whiskers: middle half of times{}",
+                    report.plan.width, report.plan.height, report.plan.most_samples,
+                    measure == Measure::rmse ? ", 95 % of errors; rings: unbeaten in both" : "");
     fit_as_diagram(chart);
     return chart;
 }
@@ -73,7 +69,7 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
 
 Ink ink_of(const HitMethod& method) {
     const bool robust = method.rules == Rules::robust;
-    if (method.test == TriangleTest::woop) return robust ? Ink::green : Ink::light;
+    if (method.test == TriangleTest::woop) return robust ? Ink::green : Ink::blue;
     return robust ? Ink::red : Ink::purple;
 }
 
@@ -99,7 +95,7 @@ Chart hit_chart(const HitReport& report, const HitFamily& family, const std::str
     return chart;
 }
 
-constexpr const char* hit_note = "s stack, r restart, b backtrack; bars: middle half of the rounds";
+constexpr const char* hit_note = "s stack, r restart, b backtrack; whiskers: middle half of the rounds";
 
 Chart fault_chart(const HitReport& report, const HitFamily& family) {
     const auto fill = [](const HitRow& row, ChartPoint& point) {
@@ -118,24 +114,40 @@ Chart fault_chart(const HitReport& report, const HitFamily& family) {
     return chart;
 }
 
-Chart ulp_chart(const HitReport& report, const HitFamily& family) {
-    const auto fill = [](const HitRow& row, ChartPoint& point) {
-        if (!(row.ulp_p999 > 0)) return false;
-        point.y = row.ulp_p999;
-        point.y_interval = ChartInterval{row.ulp_p50 > 0 ? row.ulp_p50 : row.ulp_p999, row.ulp_most};
-        point.text = fmt::format("{}: half within {:.3g}, 99.9 % within {:.3g}, all within {:.3g} ulp",
-                                 info(row.method.traversal).name, row.ulp_p50, row.ulp_p999, row.ulp_most);
+/// Of the family's errors of t; 0 where every t is exact or nothing was hit.
+double least_ulp(const HitReport& report, const HitFamily& family) {
+    double least = HUGE_VAL;
+    for (const HitRow& row : report.rows)
+        if (row.family == family.id)
+            for (const double ulp : {row.ulp_p50, row.ulp_p999, row.ulp_most})
+                if (ulp > 0) least = std::min(least, ulp);
+    return least < HUGE_VAL ? least : 0;
+}
+
+/// What is exact has no place on a logarithmic axis; it stands at `foot`, open.
+Chart ulp_chart(const HitReport& report, const HitFamily& family, double foot) {
+    const auto fill = [foot](const HitRow& row, ChartPoint& point) {
+        if (row.ulp_most < 0) return false;
+        const std::string_view traversal = info(row.method.traversal).name;
+        point.bound = row.ulp_most == 0;
+        point.y = std::max(row.ulp_p999, foot);
+        if (!point.bound) point.y_interval = ChartInterval{std::max(row.ulp_p50, foot), row.ulp_most};
+        point.text = point.bound ? fmt::format("{}: every t is exact", traversal)
+                                 : fmt::format("{}: half within {:.3g}, 99.9 % within {:.3g}, all within {:.3g} ulp",
+                                               traversal, row.ulp_p50, row.ulp_p999, row.ulp_most);
         return true;
     };
     Chart chart = hit_chart(report, family, "error of t in ulps of a float", fill);
-    chart.note = fmt::format("{}; upright: median, 99.9 % (the mark) and largest", hit_note);
+    chart.note =
+        fmt::format("{}; upright: median, 99.9 % (the mark) and largest; open, at the foot: no error at all", hit_note);
     return chart;
 }
 
 // --- P3 and P4 ---
 
 Ink ink_of_index(std::size_t i) {
-    constexpr std::array inks{Ink::cpu, Ink::gpu, Ink::green, Ink::red, Ink::purple, Ink::light, Ink::grey};
+    // The CPU builds and traces all of them, so the inks of machines say nothing here.
+    constexpr std::array inks{Ink::green, Ink::red, Ink::purple, Ink::blue, Ink::grey};
     return inks[i % inks.size()];
 }
 
@@ -161,7 +173,7 @@ void finish_prediction(Chart& chart) {
 
 Chart line_chart(const SceneErrorTime& scene) {
     Chart chart;
-    chart.title = fmt::format("{}: uniform lines that nothing stops", scene.session.scene);
+    chart.title = fmt::format("{}: uniform lines that nothing stops", scene.name.shown);
     chart.x.label = "cost counted per line (t_t per interior node, t_i per triangle)";
     for (const TreeRow& row : scene.trees->rows) {
         ChartCurve& curve =
@@ -175,14 +187,14 @@ Chart line_chart(const SceneErrorTime& scene) {
         point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
         curve.points.push_back(std::move(point));
     }
-    chart.note = "numbers: most triangles of a leaf; bars (95 %) are narrower than the marks";
+    chart.note = "numbers: most triangles of a leaf; whiskers: 95 %";
     finish_prediction(chart);
     return chart;
 }
 
 Chart ray_chart(const SceneErrorTime& scene) {
     Chart chart;
-    chart.title = fmt::format("{}: the rays of a frame", scene.session.scene);
+    chart.title = fmt::format("{}: the rays of a frame", scene.name.shown);
     chart.x.label = "cost counted per ray";
     for (std::size_t pass = 0; pass < pass_count; ++pass) {
         if (scene.trees->rays[pass] == 0) continue;
@@ -206,7 +218,7 @@ template <class Fill>
 Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fill& fill) {
     const TreeReport& report = *scene.trees;
     Chart chart;
-    chart.title = fmt::format("{}: build time against {}", scene.session.scene, what);
+    chart.title = fmt::format("{}: build time against {}", scene.name.shown, what);
     chart.x.label = "seconds to build";
     chart.y.label = fmt::format("{}, times that of {}", what, report.rows[report.reference].name());
     for (const TreeRow& row : report.rows) {
@@ -221,7 +233,7 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
         curve.points.push_back(std::move(point));
     }
     chart.lines.push_back({"the reference", 1, false});
-    chart.note = "numbers: most triangles of a leaf; bars: middle half of the rounds; rings: unbeaten in both";
+    chart.note = "numbers: most triangles of a leaf; whiskers: middle half of the rounds; rings: unbeaten in both";
     fit_as_diagram(chart);
     return chart;
 }
@@ -233,7 +245,7 @@ std::vector<ErrorFigure> image_figures(const SceneErrorTime& scene) {
     std::vector<std::string> machines;
     for (const ImageCurve& curve : scene.images->curves)
         if (std::ranges::find(machines, curve.machine) == machines.end()) machines.push_back(curve.machine);
-    const auto name = [&](const std::string& what) { return fmt::format("p1-{}-{}", scene.stem, what); };
+    const auto name = [&](const std::string& what) { return fmt::format("p1-{}-{}", scene.name.stem, what); };
     for (const std::string& machine : machines)
         figures.push_back(
             {name("rmse-" + machine), image_chart(scene, "image error against time on " + machine, Measure::rmse, false,
@@ -252,25 +264,38 @@ std::vector<ErrorFigure> hit_figures(const HitReport& report) {
     std::vector<ErrorFigure> figures;
     for (const HitFamily& family : hit_families()) {
         figures.push_back({fmt::format("p2-{}-faults", family.id), fault_chart(report, family)});
-        figures.push_back({fmt::format("p2-{}-ulps", family.id), ulp_chart(report, family)});
+        if (const double foot = 0.5 * least_ulp(report, family); foot > 0)
+            figures.push_back({fmt::format("p2-{}-ulps", family.id), ulp_chart(report, family, foot)});
     }
     return figures;
 }
 
+std::vector<MissingFigure> left_out_hit_figures(const HitReport& report) {
+    std::vector<MissingFigure> missing;
+    for (const HitFamily& family : hit_families()) {
+        if (least_ulp(report, family) > 0) continue;
+        const auto hit = [&](const HitRow& row) { return row.family == family.id && row.ulp_most >= 0; };
+        missing.push_back({fmt::format("{}, the error of t", family.id), std::ranges::any_of(report.rows, hit)
+                                                                             ? "every t that was found is exact"
+                                                                             : "no ray found anything"});
+    }
+    return missing;
+}
+
 std::vector<ErrorFigure> prediction_figures(const SceneErrorTime& scene) {
-    return {{fmt::format("p3-{}-lines", scene.stem), line_chart(scene)},
-            {fmt::format("p3-{}-rays", scene.stem), ray_chart(scene)}};
+    return {{fmt::format("p3-{}-lines", scene.name.stem), line_chart(scene)},
+            {fmt::format("p3-{}-rays", scene.name.stem), ray_chart(scene)}};
 }
 
 std::vector<ErrorFigure> build_figures(const SceneErrorTime& scene) {
     const auto sah = [](const TreeRow& row, ChartPoint& point) { point.y = row.sah_ratio; };
     const auto frame = [](const TreeRow& row, ChartPoint& point) {
-        point.y = row.frame_ratio;
-        point.y_interval = drawn(row.frame_ratio_interval);
+        point.y = row.frame_ratio.median;
+        point.y_interval = ChartInterval{row.frame_ratio.low, row.frame_ratio.high};
         point.marked = row.on_front;
     };
-    return {{fmt::format("p4-{}-sah", scene.stem), build_chart(scene, "SAH cost", sah)},
-            {fmt::format("p4-{}-frames", scene.stem), build_chart(scene, "frame time", frame)}};
+    return {{fmt::format("p4-{}-sah", scene.name.stem), build_chart(scene, "SAH cost", sah)},
+            {fmt::format("p4-{}-frames", scene.name.stem), build_chart(scene, "frame time", frame)}};
 }
 
 }  // namespace kd

@@ -1,4 +1,5 @@
-// Work-precision diagrams: what a method takes along x, how far off it is along y, both logarithmic; lower left is better.
+// The diagrams of the reports. Those of P1, P2 and P4 are work-precision diagrams: what a method takes along x, how far off it is
+// along y, both logarithmic; lower left is better. Those of P3 hold a prediction against what is paid.
 #pragma once
 
 #include <string>
@@ -14,10 +15,17 @@ struct ErrorFigure {
     Chart chart;
 };
 
+/// One that would be empty, and why: parts of a sentence.
+struct MissingFigure {
+    std::string what, why;
+};
+
 /// Those of P1: each machine with all its traversals, all machines, and the same in FLIP.
 [[nodiscard]] std::vector<ErrorFigure> image_figures(const SceneErrorTime& scene);
 /// Those of P2: faults and errors of t for each family.
 [[nodiscard]] std::vector<ErrorFigure> hit_figures(const HitReport& report);
+/// Families whose errors of t are no figure, and why.
+[[nodiscard]] std::vector<MissingFigure> left_out_hit_figures(const HitReport& report);
 /// Those of P3: uniform lines, and the rays of a frame.
 [[nodiscard]] std::vector<ErrorFigure> prediction_figures(const SceneErrorTime& scene);
 /// Those of P4: SAH cost and frame time over build time.

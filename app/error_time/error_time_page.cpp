@@ -8,7 +8,7 @@
 #include "app/error_time/error_time_tables.h"
 #include "app/html.h"
 #include "renderer/io/file.h"
-#include "renderer/io/printable.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -37,10 +37,14 @@ th:first-child, td:first-child { text-align: left; }
 
 using Cells = std::vector<std::string>;
 
-std::string row_of(const Cells& cells, const char* tag) {
-    std::string text = "<tr>";
-    for (const std::string& cell : cells) text += fmt::format("<{0}>{1}</{0}>", tag, cell);
-    return text + "</tr>\n";
+/// Why there is no frame from which on a tree pays whose frames take `ratio` times less: what the interval shows, no more.
+std::string never_pays_text(const MedianInterval& ratio) {
+    switch (verdict_of(ratio)) {
+        case RatioVerdict::none: return "not timed";
+        case RatioVerdict::too_few: return "too few rounds to say";
+        case RatioVerdict::no_difference: return "no difference seen";
+        default: return "never: its frames are slower";
+    }
 }
 
 class Page {
@@ -50,22 +54,27 @@ class Page {
 
     std::vector<std::string> write() {
         html_ = head;
-        html_ +=
-            "<h1>Error against run time</h1>\n<p>Each diagram has what a method takes along x and how far off it is "
-            "along y, both logarithmic: lower left is better. A ring marks what nothing beats in both.</p>\n";
+        html_ += "<h1>Error against run time</h1>\n<p>The diagrams of P1, P2 and P4 have what a method takes along x "
+                 "and how "
+                 "far off it is along y, both logarithmic: lower left is better, and a ring marks what nothing beats "
+                 "in both. "
+                 "Those of P3 hold a prediction against what is paid, which is neither.</p>\n";
         if (!can_draw_charts()) html_ += fmt::format("<p>{}.</p>\n", no_gnuplot_text);
         html_ += "<p class=\"small\">";
         for (const std::string& line : measured_on_) html_ += html_text(line) + "<br>\n";
         html_ += fmt::format("All of it took {} s; {} s were aimed at.</p>\n",
                              number_("all, seconds", results_.seconds, "{:.0f}"),
                              number_("all, seconds aimed at", results_.config.seconds, "{:.0f}"));
+        save("scenes.csv", csv_comments(measured_on_) + scene_csv(results_));
         if (results_.config.wants(ErrorReport::p1)) write_p1();
         if (results_.hits) write_p2(*results_.hits);
         if (results_.config.wants(ErrorReport::p3)) write_p3();
         if (results_.config.wants(ErrorReport::p4)) write_p4();
         save("numbers.csv", number_.csv());
-        html_ += "<p class=\"small\">Every number above stands in <a href=\"numbers.csv\">numbers.csv</a>.</p>\n"
-                 "</body>\n</html>\n";
+        save("left-out.csv", csv_comments(measured_on_) + left_out_csv_);
+        html_ += "<p class=\"small\">Every number above stands in <a href=\"numbers.csv\">numbers.csv</a> by its name; "
+                 "<a href=\"scenes.csv\">scenes.csv</a> tells the scenes, <a href=\"left-out.csv\">left-out.csv</a> "
+                 "what was left out.</p>\n</body>\n</html>\n";
         save("index.html", html_);
         return names_;
     }
@@ -77,9 +86,7 @@ class Page {
     }
 
     void save_table(const std::string& name, const std::string& csv) {
-        std::string text;
-        for (const std::string& line : measured_on_) text += "# " + printable(line, 1000) + '\n';
-        save(name, text + csv);
+        save(name, csv_comments(measured_on_) + csv);
         html_ += fmt::format("<p class=\"small\">All its numbers: <a href=\"{0}\">{0}</a></p>\n", html_text(name));
     }
 
@@ -88,35 +95,25 @@ class Page {
         for (const ErrorFigure& figure : figures) {
             const std::vector<std::string> files = write_chart(folder_, figure.name, figure.chart, measured_on_, stop_);
             names_.insert(names_.end(), files.begin(), files.end());
-            if (files.size() < 2) continue;
-            html_ += fmt::format("<figure><a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a><figcaption><a "
-                                 "href=\"{0}.csv\">{0}.csv</a></figcaption></figure>\n",
-                                 html_text(figure.name), html_text(figure.chart.title));
+            html_ += html_chart(figure.name, figure.chart.title, "", files.size() > 1);
         }
         html_ += "</div>\n";
     }
 
-    void left_out(const SceneErrorTime& scene, ErrorReport report) {
-        for (const LeftOut& left : scene.left_out)
-            if (left.report == report)
-                html_ += fmt::format("<p><b>Left out</b> for {}: {}.</p>\n", html_text(scene.session.scene),
-                                     html_text(left.why));
+    void left_out(ErrorReport report, const std::string& what, const std::string& why) {
+        left_out_csv_ += csv_row(error_report_names[std::size_t(report)], what, why);
+        html_ += fmt::format("<p><b>Left out</b> for {}: {}.</p>\n", html_text(what), html_text(why));
     }
 
     /// A heading for each scene, what is left out for it, and what `write` makes of it.
     template <class Write>
     void each_scene(ErrorReport report, const Write& write) {
         for (const SceneErrorTime& scene : results_.scenes) {
-            html_ += fmt::format("<h3>{}</h3>\n", html_text(scene.session.scene));
-            left_out(scene, report);
+            html_ += fmt::format("<h3>{}</h3>\n", html_text(scene.name.shown));
+            for (const LeftOut& left : scene.left_out)
+                if (left.report == report) left_out(report, scene.name.shown, left.why);
             write(scene);
         }
-    }
-
-    void table(const Cells& titles, const std::vector<Cells>& rows) {
-        html_ += "<table>\n" + row_of(titles, "th");
-        for (const Cells& row : rows) html_ += row_of(row, "td");
-        html_ += "</table>\n";
     }
 
     std::string range(const std::string& name, double low, double high, const char* format) {
@@ -136,7 +133,7 @@ class Page {
 
     void write_images(const SceneErrorTime& scene) {
         const ImageReport& report = *scene.images;
-        const std::string at = scene.session.scene + ": P1: ";
+        const std::string at = scene.name.shown + ": P1: ";
         html_ += fmt::format(
             "<p>{}. {} x {} pixels, up to {} samples each, {} sets of random ones; the reference has {} and is itself "
             "off by about {}. Size and samples are what fits into the time aimed at. RMSE is of the colours that the "
@@ -149,58 +146,68 @@ class Page {
             number_(at + "reference samples", report.plan.reference_samples, "{:.0f}"),
             number_(at + "reference RMSE", report.reference_rmse));
         show(image_figures(scene));
+        const ImageCurve& first = report.curves.front();
+        const auto is_first = [&](const ImageCurve& curve) {
+            return curve.machine == first.machine && curve.traversal == first.traversal;
+        };
         std::vector<Cells> rows;
         double worst = 0;
         for (const ImageCurve& curve : report.curves) {
             const std::string name = fmt::format("{}, {}, {}", name_of(curve.sampler), curve.machine, curve.traversal);
             const std::string key = at + name;
-            if (curve.machine == report.curves.front().machine) worst = std::max(worst, curve.worst_gap);
+            if (curve.machine == first.machine) worst = std::max(worst, curve.worst_gap);
             rows.push_back({name, number_(key + ": slope", curve.fit.slope, "{:.2f}"),
                             range(key + ": slope", curve.fit.interval.low, curve.fit.interval.high, "{:.2f}"),
                             number_(key + ": frame ms", curve.frame.median_ms),
                             range(key + ": frame ms", curve.frame.p25_ms, curve.frame.p75_ms, "{:.3g}"),
+                            is_first(curve) ? "" : number_.ratio(key + ": frame / first", curve.of_first),
                             number_(key + ": frames", curve.frame.samples, "{:.0f}"),
                             number_(key + ": RMSE of most samples", curve.points.back().rmse),
                             number_(key + ": FLIP of most samples", curve.points.back().flip),
                             number_(key + ": largest gap", curve.worst_gap, "{:.1e}")});
         }
-        table({"sampler, machine, traversal", "slope", "95 %", "frame ms", "middle half", "frames", "last RMSE",
-               "last FLIP", "largest gap to the first"},
-              rows);
+        html_ += html_table({"sampler, machine, traversal", "slope", "95 %", "frame ms", "middle half",
+                             "of the first (95 %)", "frames", "last RMSE", "last FLIP", "largest gap to the first"},
+                            rows);
         html_ += fmt::format("<p>Traversals on one machine differ by at most {} in RMSE{}</p>\n",
                              number_(at + "largest gap on the first machine", worst, "{:.1e}"),
-                             worst <= 1e-7 ? ": none changes the image." : ": a fault, for it may be rounding alone.");
-        save_table(fmt::format("p1-{}.csv", scene.stem), image_csv(report));
-        save_table(fmt::format("p1-{}-slopes.csv", scene.stem), slope_csv(report));
+                             worst <= 1e-7 ? ": none changes the image."
+                                           : ": a fault, for they may differ by rounding alone.");
+        save_table(fmt::format("p1-{}.csv", scene.name.stem), image_csv(report));
+        save_table(fmt::format("p1-{}-slopes.csv", scene.name.stem), slope_csv(report));
     }
 
     void write_p2(const HitReport& report) {
         html_ += fmt::format(
             "<h2>P2: hit error against time</h2>\n<p>Each diagram is one family of rays, {} of each at most, traced by "
             "two triangle tests, two sets of rules and three traversals in single and double precision: the share of "
-            "rays "
-            "that miss what is there or hit something else, and the error of t. The rules as published and the test of "
+            "rays that miss what is there or hit something else, and the error of t. The rules as published and the "
+            "test of "
             "1997 lose rays where geometry meets; double precision moves that away and does not mend it. "
             "The scenes given play no part in it: rays and triangles are those of the stability suite.</p>\n",
             number_("P2: rays", double(report.rays), "{:.0f}"));
         show(hit_figures(report));
+        for (const auto& [what, why] : left_out_hit_figures(report)) left_out(ErrorReport::p2, what, why);
         std::vector<Cells> rows;
         for (const HitRow& row : report.rows) {
             if (row.method.traversal != Traversal::stack) continue;
             const std::string name = row.family + ": " + row.method.family_name();
             const std::string key = "P2: " + name;
-            const bool none = row.missed + row.wrong == 0;
-            rows.push_back({name,
-                            (none ? "0, below " : "") +
-                                number_(key + ": per million", none ? 1e6 * row.upper95 : row.per_million(), "{:.0f}"),
-                            number_(key + ": ulp, median", row.ulp_p50), number_(key + ": ulp, 99.9 %", row.ulp_p999),
-                            number_(key + ": ulp, largest", row.ulp_most),
-                            number_(key + ": ns per ray", row.ns, "{:.0f}"),
-                            range(key + ": ns per ray", row.quartiles.low, row.quartiles.high, "{:.0f}")});
+            const auto ulps = [&](const char* which, double value) {
+                return value < 0 ? "–" : number_(key + ": ulp, " + which, value);
+            };
+            std::string faults = number_(key + ": per million", row.per_million(), "{:.0f}");
+            if (row.missed + row.wrong == 0)
+                faults += ", below " + number_(key + ": per million, 95 % bound", 1e6 * row.upper95, "{:.0f}");
+            rows.push_back({name, faults, ulps("median", row.ulp_p50), ulps("99.9 %", row.ulp_p999),
+                            ulps("largest", row.ulp_most), number_(key + ": ns per ray", row.ns, "{:.0f}"),
+                            range(key + ": ns per ray", row.quartiles.low, row.quartiles.high, "{:.0f}"),
+                            row.method == HitMethod{} ? "" : number_.ratio(key + ": time / first", row.of_first)});
         }
         html_ += "<details><summary>All methods with a stack, as numbers</summary>\n";
-        table({"family, method", "faults per million", "ulp, median", "99.9 %", "largest", "ns per ray", "middle half"},
-              rows);
+        html_ += html_table({"family, method", "faults per million", "ulp, median", "99.9 %", "largest", "ns per ray",
+                             "middle half", "of the first (95 %)"},
+                            rows);
         html_ += "</details>\n";
         save_table("p2.csv", hit_csv(report));
     }
@@ -209,8 +216,9 @@ class Page {
         html_ +=
             "<h2>P3: what the surface area heuristic predicts, and what is paid</h2>\n<p>For lines of which each is "
             "as likely as any other and that nothing stops, the predicted cost of a tree has to be the counted one: "
-            "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay less, but better "
-            "trees should still be better for them: that is what the rank correlation says.</p>\n";
+            "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay something else, "
+            "mostly "
+            "less, but better trees should still be better for them: that is what the rank correlation says.</p>\n";
         each_scene(ErrorReport::p3, [&](const SceneErrorTime& scene) {
             if (scene.trees) write_predictions(scene);
         });
@@ -218,7 +226,7 @@ class Page {
 
     void write_predictions(const SceneErrorTime& scene) {
         const TreeReport& report = *scene.trees;
-        const std::string at = scene.session.scene + ": P3: ";
+        const std::string at = scene.name.shown + ": P3: ";
         show(prediction_figures(scene));
         Cells titles{"tree", "predicted", "lines: counted / predicted", "interior nodes", "triangle tests"};
         for (std::size_t pass = 0; pass < pass_count; ++pass)
@@ -247,20 +255,22 @@ class Page {
                     number_(fmt::format("{}tau of {} rays", at, ray_names[pass]), *report.tau[pass], "{:+.2f}"));
         tau.push_back(number_(at + "tau of the frame time", report.frame_tau, "{:+.2f}"));
         rows.push_back(tau);
-        table(titles, rows);
+        html_ += html_table(titles, rows);
         html_ += fmt::format("<p>Over {} lines the prediction is off by at most {} %{}</p>\n",
                              number_(at + "lines", double(report.rows.front().lines.rays), "{:.0f}"),
                              number_(at + "largest error, percent", 100 * worst, "{:.2f}"),
                              worst <= 0.05 ? ", within the 5 % that the cost's code is held to."
                                            : ": the cost is counted wrongly.");
-        save_table(fmt::format("p3-{}.csv", scene.stem), tree_csv(report));
+        save_table(fmt::format("p3-{}.csv", scene.name.stem), tree_csv(report));
     }
 
     void write_p4() {
         html_ +=
             "<h2>P4: build time against quality</h2>\n<p>A builder that looks harder for splits takes longer and makes "
             "trees whose frames are quicker. Whether that pays depends on how many frames are traced with the tree: "
-            "from the break-even number on, the reference is the better choice.</p>\n";
+            "from the break-even number on, the reference is the better choice. It follows from the median ratio of "
+            "the "
+            "frames' times, round by round.</p>\n";
         each_scene(ErrorReport::p4, [&](const SceneErrorTime& scene) {
             const bool told =
                 std::ranges::any_of(scene.left_out, [](const LeftOut& l) { return l.report == ErrorReport::p4; });
@@ -270,33 +280,31 @@ class Page {
 
     void write_builds(const SceneErrorTime& scene) {
         const TreeReport& report = *scene.trees;
-        const std::string at = scene.session.scene + ": P4: ";
+        const std::string at = scene.name.shown + ": P4: ";
         show(build_figures(scene));
         std::vector<Cells> rows;
         for (std::size_t i = 0; i < report.rows.size(); ++i) {
             const TreeRow& row = report.rows[i];
             const std::string key = at + row.name();
-            std::string pays = i == report.reference               ? "the reference"
-                               : row.frame_ratio_interval.high < 1 ? "never: its frames are slower"
-                                                                   : "no difference seen";
-            if (row.break_even_frames) pays = number_(key + ": break-even frames", *row.break_even_frames, "{:.0f}");
-            rows.push_back(
-                {row.name() + (row.cap_hit ? " (reference cap hit)" : ""),
-                 number_(key + ": build ms", row.build.median_ms),
-                 range(key + ": build ms", row.build.p25_ms, row.build.p75_ms, "{:.3g}"),
-                 number_(key + ": SAH ratio", row.sah_ratio, "{:.3f}"),
-                 number_(key + ": frame ms", row.frame.median_ms),
-                 number_(key + ": frame ratio", row.frame_ratio, "{:.3f}"),
-                 range(key + ": frame ratio", row.frame_ratio_interval.low, row.frame_ratio_interval.high, "{:.3f}"),
-                 pays});
+            const bool reference = i == report.reference;
+            const std::string pays = row.break_even_frames
+                                         ? number_(key + ": break-even frames", *row.break_even_frames, "{:.0f}")
+                                     : reference ? "the reference"
+                                                 : never_pays_text(row.frame_ratio);
+            rows.push_back({row.name() + (row.cap_hit ? " (reference cap hit)" : ""),
+                            number_(key + ": build ms", row.build.median_ms),
+                            range(key + ": build ms", row.build.p25_ms, row.build.p75_ms, "{:.3g}"),
+                            number_(key + ": SAH ratio", row.sah_ratio, "{:.3f}"),
+                            number_(key + ": frame ms", row.frame.median_ms),
+                            reference ? "" : number_.ratio(key + ": frame ratio", row.frame_ratio), pays});
         }
-        table({"tree", "build ms", "middle half", "SAH / reference", "frame ms", "frame / reference", "95 %",
-               "reference pays from frame"},
-              rows);
+        html_ += html_table({"tree", "build ms", "middle half", "SAH / reference", "frame ms",
+                             "frame / reference (95 %)", "reference pays from frame"},
+                            rows);
         html_ +=
             fmt::format("<p>Frames of {} x {} pixels by the CPU.</p>\n", number_(at + "width", report.width, "{:.0f}"),
                         number_(at + "height", report.height, "{:.0f}"));
-        save_table(fmt::format("p4-{}.csv", scene.stem), tree_csv(report));
+        save_table(fmt::format("p4-{}.csv", scene.name.stem), tree_csv(report));
     }
 
     std::filesystem::path folder_;
@@ -304,6 +312,7 @@ class Page {
     std::vector<std::string> measured_on_;
     const std::stop_token& stop_;
     ShownNumbers number_;
+    std::string left_out_csv_ = "report,what,why\n";
     std::string html_;
     std::vector<std::string> names_;
 };

@@ -1,8 +1,6 @@
 #include "app/error_time/error_time_run.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 
@@ -30,13 +28,6 @@ double share_of(ErrorReport report) {
         case ErrorReport::p2: return 0.2;
         default: return 0.1;
     }
-}
-
-std::string file_stem(const std::string& scene) {
-    std::string stem = std::filesystem::path(scene).filename().string();
-    for (char& c : stem)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
-    return stem;
 }
 
 /// The machines of one scene, and what they are.
@@ -74,11 +65,14 @@ class Run {
 
     ErrorTimeResults measure() {
         const Session& first = scenes_.front().session;
+        std::vector<std::string> given;
+        for (const OpenedScene& opened : scenes_) given.push_back(opened.session.scene);
+        const std::vector<ReportName> names = report_names(given);
         results_.config = config_;
         results_.on = measured_on(first.threads, first.seed, nullptr);
         results_.seconds = 1e-3 * wall_ms([&] {
-                               for (const OpenedScene& opened : scenes_)
-                                   results_.scenes.push_back(measure_scene(opened));
+                               for (std::size_t i = 0; i < scenes_.size(); ++i)
+                                   results_.scenes.push_back(measure_scene(scenes_[i], names[i]));
                                if (config_.wants(ErrorReport::p2)) results_.hits = measure_hits();
                            });
         return std::move(results_);
@@ -104,28 +98,31 @@ class Run {
         if (stop_.stop_requested()) throw Interrupted();
     }
 
-    SceneErrorTime measure_scene(const OpenedScene& opened) {
+    SceneErrorTime measure_scene(const OpenedScene& opened, const ReportName& name) {
         SceneErrorTime result;
         result.session = opened.session;
         result.contents = contents_text(opened.scene);
-        result.stem = file_stem(opened.session.scene);
+        result.name = name;
         const double share = 1 / double(scenes_.size()) / all_shares_;
-        if (config_.wants(ErrorReport::p1)) measure_images(opened, result, part(share * share_of(ErrorReport::p1)));
         double trees = 0;
         for (const ErrorReport report : {ErrorReport::p3, ErrorReport::p4})
             if (config_.wants(report)) trees += share_of(report);
-        if (trees > 0) measure_trees(opened, result, part(share * trees));
+        const bool images = config_.wants(ErrorReport::p1);
+        if (!images && trees == 0) return result;
+        const KdTree tree = build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_);
+        check();
+        if (images) measure_images(opened, tree, result, part(share * share_of(ErrorReport::p1)));
+        if (trees > 0) measure_trees(opened, tree, result, part(share * trees));
         return result;
     }
 
-    void measure_images(const OpenedScene& opened, SceneErrorTime& result, const Progress& progress) {
+    void measure_images(const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result,
+                        const Progress& progress) {
         progress(0, fmt::format("{}: a first look", opened.session.scene));
         if (opened.scene.triangles.empty()) {
             result.left_out.push_back({ErrorReport::p1, "the scene has no triangles, so every sample is the same"});
             return;
         }
-        const KdTree tree = build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_);
-        check();
         Machines machines(config_, opened, tree, result);
         const TriangleBoxes boxes(opened.scene.triangles);
         ImageTask task{opened.scene,        boxes, opened.session.trace, {}, {}, opened.session.threads,
@@ -192,10 +189,9 @@ class Run {
         });
     }
 
-    void measure_trees(const OpenedScene& opened, SceneErrorTime& result, const Progress& progress) {
+    void measure_trees(const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result,
+                       const Progress& progress) {
         const std::size_t triangles = opened.scene.triangles.size();
-        const KdTree tree = build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_);
-        check();
         const auto leave_out = [&](ErrorReport report, const std::string& why) {
             if (config_.wants(report)) result.left_out.push_back({report, why});
         };

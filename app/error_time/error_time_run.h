@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/error_time/report_names.h"
 #include "app/session.h"
 #include "renderer/gl/context.h"
 #include "renderer/measure/error_time/hit_report.h"
@@ -42,7 +43,7 @@ struct LeftOut {
 struct SceneErrorTime {
     Session session;       // scene, tree and tracing that were measured
     std::string contents;  // "300 triangles, ..."
-    std::string stem;      // of its files: "ball-9000"
+    ReportName name;
     std::optional<ImageReport> images;
     std::optional<TreeReport> trees;  // P3 and P4 share their trees
     std::vector<LeftOut> left_out;

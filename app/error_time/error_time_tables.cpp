@@ -2,9 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "viz/chart_csv.h"
+#include "viz/csv.h"
 
 namespace kd {
+
+std::string scene_csv(const ErrorTimeResults& results) {
+    std::string text = "scene,files,contents\n";
+    for (const SceneErrorTime& scene : results.scenes)
+        text += csv_row(scene.name.shown, scene.name.stem, scene.contents);
+    return text;
+}
 
 std::string image_csv(const ImageReport& report) {
     std::string text =
@@ -12,32 +19,33 @@ std::string image_csv(const ImageReport& report) {
         "on_front\n";
     for (const ImageCurve& c : report.curves)
         for (const ImagePoint& p : c.points)
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(c.sampler), c.machine, c.traversal,
-                                p.samples, p.seconds, p.quartiles.low, p.quartiles.high, p.rmse, p.rmse_interval.low,
-                                p.rmse_interval.high, p.own_rmse, p.flip, int(p.on_front));
+            text += csv_row(name_of(c.sampler), c.machine, c.traversal, p.samples, p.seconds, p.quartiles.low,
+                            p.quartiles.high, p.rmse, p.rmse_interval.low, p.rmse_interval.high, p.own_rmse, p.flip,
+                            p.on_front);
     return text;
 }
 
 std::string slope_csv(const ImageReport& report) {
     std::string text = "sampler,machine,traversal,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,"
-                       "frames,largest_gap\n";
+                       "frames,frame_ratio,frame_ratio_low,frame_ratio_high,frame_ratio_confidence,largest_gap\n";
     for (const ImageCurve& c : report.curves)
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(c.sampler), c.machine, c.traversal,
-                            csv_field(c.clock), c.fit.slope, c.fit.interval.low, c.fit.interval.high, c.frame.median_ms,
-                            c.frame.p25_ms, c.frame.p75_ms, c.frame.samples, c.worst_gap);
+        text += csv_row(name_of(c.sampler), c.machine, c.traversal, c.clock, c.fit.slope, c.fit.interval.low,
+                        c.fit.interval.high, c.frame.median_ms, c.frame.p25_ms, c.frame.p75_ms, c.frame.samples,
+                        c.of_first.median, c.of_first.low, c.of_first.high, c.of_first.confidence, c.worst_gap);
     return text;
 }
 
 std::string hit_csv(const HitReport& report) {
     std::string text =
         "family,triangle_test,precision,rules,traversal,rays,missed,wrong,per_million,per_million_upper95,"
-        "ulp_p50,ulp_p999,ulp_largest,ns_per_ray,ns_p25,ns_p75,rounds,on_front\n";
+        "ulp_p50,ulp_p999,ulp_largest,ns_per_ray,ns_p25,ns_p75,rounds,time_ratio,time_ratio_low,time_ratio_high,"
+        "time_ratio_confidence,on_front\n";
     for (const HitRow& r : report.rows)
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.family,
-                            triangle_test_names[std::size_t(r.method.test)], r.method.in_double ? "double" : "float",
-                            info(r.method.rules).name, info(r.method.traversal).name, r.n, r.missed, r.wrong,
-                            r.per_million(), 1e6 * r.upper95, r.ulp_p50, r.ulp_p999, r.ulp_most, r.ns, r.quartiles.low,
-                            r.quartiles.high, r.rounds, int(r.on_front));
+        text +=
+            csv_row(r.family, triangle_test_names[std::size_t(r.method.test)], r.method.in_double ? "double" : "float",
+                    info(r.method.rules).name, info(r.method.traversal).name, r.n, r.missed, r.wrong, r.per_million(),
+                    1e6 * r.upper95, r.ulp_p50, r.ulp_p999, r.ulp_most, r.ns, r.quartiles.low, r.quartiles.high,
+                    r.rounds, r.of_first.median, r.of_first.low, r.of_first.high, r.of_first.confidence, r.on_front);
     return text;
 }
 
@@ -48,37 +56,42 @@ std::string tree_csv(const TreeReport& report) {
         text += fmt::format(",cost_per_{}_ray", name == "reflection shadow" ? "reflection_shadow" : name);
     text +=
         ",build_ms,build_ms_p25,build_ms_p75,builds,frame_ms,frame_ms_p25,frame_ms_p75,frames,sah_ratio,frame_ratio,"
-        "frame_ratio_low,frame_ratio_high,break_even_frames,on_front,is_reference\n";
+        "frame_ratio_low,frame_ratio_high,frame_ratio_confidence,break_even_frames,on_front,is_reference\n";
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const TreeRow& r = report.rows[i];
         const double lines = double(std::max<std::int64_t>(r.lines.rays, 1));
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", r.builder, r.leaf_size, r.stats.nodes,
-                            r.stats.references, int(r.cap_hit), r.stats.sah_cost, r.stats.expected_interior_visits,
-                            r.stats.expected_triangle_tests, r.lines.rays, r.lines.mean_cost(),
-                            r.lines.standard_error(), r.lines.interior / lines, r.lines.tests / lines);
+        std::array<std::optional<double>, pass_count> cost;
         for (std::size_t pass = 0; pass < pass_count; ++pass)
-            text += report.rays[pass] > 0 ? fmt::format(",{}", r.cost_per_ray[pass]) : ",";
-        text +=
-            fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.build.median_ms, r.build.p25_ms,
-                        r.build.p75_ms, r.build.samples, r.frame.median_ms, r.frame.p25_ms, r.frame.p75_ms,
-                        r.frame.samples, r.sah_ratio, r.frame_ratio, r.frame_ratio_interval.low,
-                        r.frame_ratio_interval.high, r.break_even_frames ? fmt::format("{}", *r.break_even_frames) : "",
-                        int(r.on_front), int(i == report.reference));
+            if (report.rays[pass] > 0) cost[pass] = r.cost_per_ray[pass];
+        text += csv_row(r.builder, r.leaf_size, r.stats.nodes, r.stats.references, r.cap_hit, r.stats.sah_cost,
+                        r.stats.expected_interior_visits, r.stats.expected_triangle_tests, r.lines.rays,
+                        r.lines.mean_cost(), r.lines.standard_error(), r.lines.interior / lines, r.lines.tests / lines,
+                        cost[0], cost[1], cost[2], cost[3], r.build.median_ms, r.build.p25_ms, r.build.p75_ms,
+                        r.build.samples, r.frame.median_ms, r.frame.p25_ms, r.frame.p75_ms, r.frame.samples,
+                        r.sah_ratio, r.frame_ratio.median, r.frame_ratio.low, r.frame_ratio.high,
+                        r.frame_ratio.confidence, r.break_even_frames, r.on_front, i == report.reference);
     }
     return text;
 }
 
-std::string ShownNumbers::operator()(const std::string& name, double value) { return (*this)(name, value, "{:.3g}"); }
-
 std::string ShownNumbers::operator()(const std::string& name, double value, const char* format) {
-    entries_.push_back({name, fmt::format(fmt::runtime(format), value), value});
-    return fmt::format("<data value=\"{}\">{}</data>", value, entries_.back().shown);
+    return shown(name, value, fmt::format(fmt::runtime(format), value));
+}
+
+std::string ShownNumbers::ratio(const std::string& name, const MedianInterval& value) {
+    return ratio_text(value, [&](const char* part, double number) {
+        return shown(name + ", " + part, number, short_number(number));
+    });
+}
+
+std::string ShownNumbers::shown(const std::string& name, double value, std::string text) {
+    entries_.push_back({name, std::move(text), value});
+    return fmt::format("<data value=\"{}\">{}</data>", value, entries_.back().text);
 }
 
 std::string ShownNumbers::csv() const {
     std::string text = "name,shown,value\n";
-    for (const Entry& entry : entries_)
-        text += fmt::format("{},{},{}\n", csv_field(entry.name), csv_field(entry.shown), entry.value);
+    for (const Entry& entry : entries_) text += csv_row(entry.name, entry.text, entry.value);
     return text;
 }
 

@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "app/error_time/error_time_run.h"
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
 
+/// The scenes as the page and its files call them, and what they hold.
+[[nodiscard]] std::string scene_csv(const ErrorTimeResults& results);
 /// Every point of every curve of P1.
 [[nodiscard]] std::string image_csv(const ImageReport& report);
 /// The slope and the frame time of each curve.
@@ -19,17 +22,19 @@ namespace kd {
 /// The numbers that a page shows, each under a name: what is shown is what the table holds.
 class ShownNumbers {
   public:
-    /// `value` as three significant digits or so, for the page; kept in full under `name`.
-    std::string operator()(const std::string& name, double value);
-    /// With `format` of fmt, "{:+.2f}".
-    std::string operator()(const std::string& name, double value, const char* format);
+    /// `value` as `format` of fmt writes it, for the page; kept in full under `name`.
+    std::string operator()(const std::string& name, double value, const char* format = "{:.3g}");
+    /// ratio_text() of it, its parts under the names "NAME, median", "NAME, low" and "NAME, high".
+    std::string ratio(const std::string& name, const MedianInterval& value);
 
     /// name,shown,value
     [[nodiscard]] std::string csv() const;
 
   private:
+    std::string shown(const std::string& name, double value, std::string text);
+
     struct Entry {
-        std::string name, shown;
+        std::string name, text;
         double value;
     };
     std::vector<Entry> entries_;

@@ -24,7 +24,7 @@ std::string label_of(const PaperResults& r, PaperMethod method) {
 Ink ink_of(PaperMethod method) {
     switch (method) {
         case cpurt: return Ink::cpu;
-        case cpu_restart: return Ink::light;
+        case cpu_restart: return Ink::blue;
         case cpu_backtrack: return Ink::purple;
         case gpurt: return Ink::gpu;
         case gpu_stack: return Ink::red;
@@ -54,8 +54,6 @@ ChartPoint time_point(double x, const TimeSummary& time, const std::function<dou
 
 void finish(Chart& chart) {
     fit_log(chart.y, heights_of(chart));
-    // Bars begin at the axis, so the shortest needs some length.
-    if (std::ranges::any_of(chart.curves, [](const ChartCurve& c) { return c.form == Form::bars; })) chart.y.low /= 2;
     set_ticks(chart.y);
 }
 

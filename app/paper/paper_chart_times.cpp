@@ -12,7 +12,7 @@ using enum PaperMethod;
 
 namespace {
 
-/// Bars of each method's ms on `scenes`.
+/// Each method's ms on `scenes`, side by side.
 Chart time_bars(const PaperResults& r, const std::string& title, const std::vector<std::string>& scenes) {
     Chart chart;
     chart.title = title;
@@ -31,7 +31,7 @@ Chart time_bars(const PaperResults& r, const std::string& title, const std::vect
     return chart;
 }
 
-/// A mark where a bar of `method` would end if it were `factor` times `base` ms, as the paper says.
+/// A mark in the place of `method` at the ms that the paper says.
 void add_claim(Chart& chart, const PaperResults& r, PaperMethod method, double scene, double ms,
                const std::string& text) {
     const auto bar = std::ranges::find(chart.curves, label_of(r, method), &ChartCurve::name);
@@ -69,7 +69,7 @@ PaperFigure figure_9(const PaperResults& r) {
     };
     for (const PaperMethodInfo& method : paper_methods())
         add(label_of(r, method.id), ink_of(method.id), method.id, 1, Stroke::solid);
-    add("paper: Kd-restart, 15 % behind our CPURT", Ink::light, cpurt, 1.15, Stroke::dashed);
+    add("paper: Kd-restart, 15 % behind our CPURT", Ink::blue, cpurt, 1.15, Stroke::dashed);
     add("paper: GPURT, 10x behind our CPURT", Ink::gpu, cpurt, 10, Stroke::dotted);
     fit_log(chart.x, places_of(chart.curves));
     set_ticks(chart.x, number_text);

@@ -22,7 +22,7 @@ Chart count_bars(const PaperResults& r, const std::string& title, const std::str
     chart.x = axis_of_names("scene", scenes);
     chart.y.label = unit;
     constexpr std::array<std::pair<Traversal, Ink>, 3> shown{
-        {{Traversal::stack, Ink::cpu}, {Traversal::restart, Ink::light}, {Traversal::backtrack, Ink::purple}}};
+        {{Traversal::stack, Ink::cpu}, {Traversal::restart, Ink::blue}, {Traversal::backtrack, Ink::purple}}};
     for (const auto& [traversal, ink] : shown) {
         ChartCurve curve{std::string(info(traversal).name), ink, Stroke::solid, {}, Form::bars};
         for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -145,7 +145,7 @@ PaperFigure loop_ceiling(const PaperResults& r) {
     chart.title = "Pixels given up under a ceiling of steps, kd-restart";
     chart.x = {"steps allowed (log)", true, 64, 1024, {}};
     chart.y.label = "share of the pixels";
-    constexpr std::array<Ink, 6> inks{Ink::cpu, Ink::light, Ink::green, Ink::purple, Ink::gpu, Ink::red};
+    constexpr std::array<Ink, 6> inks{Ink::cpu, Ink::blue, Ink::green, Ink::purple, Ink::gpu, Ink::red};
     for (const PaperBudget& row : r.budgets) {
         ChartCurve& curve = curve_named(chart, {.name = row.scene, .ink = inks[chart.curves.size() % inks.size()]});
         const double share = double(row.unfinished) / double(std::max<std::int64_t>(row.pixels, 1));

@@ -43,16 +43,14 @@ std::string file_link(const std::string& name) { return fmt::format("<p><a href=
 
 /// The first `columns` of a table, with a link to the file that holds all of it.
 std::string table_html(const PaperTable& table, std::size_t columns) {
-    std::string html = "<div class=\"scroll\"><table>\n<tr>";
-    columns = std::min(columns, table.header.size());
-    for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<th>{}</th>", html_text(table.header[i]));
-    html += "</tr>\n";
-    for (const std::vector<std::string>& row : table.rows) {
-        html += "<tr>";
-        for (std::size_t i = 0; i < columns; ++i) html += fmt::format("<td>{}</td>", html_text(row[i]));
-        html += "</tr>\n";
-    }
-    return html + "</table></div>\n" + file_link(table.name);
+    const auto shown = [columns](const std::vector<std::string>& cells) {
+        std::vector<std::string> html;
+        for (std::size_t i = 0; i < std::min(columns, cells.size()); ++i) html.push_back(html_text(cells[i]));
+        return html;
+    };
+    std::vector<std::vector<std::string>> rows;
+    for (const std::vector<std::string>& row : table.rows) rows.push_back(shown(row));
+    return "<div class=\"scroll\">" + html_table(shown(table.header), rows) + "</div>\n" + file_link(table.name);
 }
 
 /// A row per claim: what it says and where, our number and what it is, what is accepted, the verdict and why.
@@ -69,14 +67,6 @@ std::string verdicts_html(const std::vector<PaperClaim>& claims) {
                             verdict, html_text(c.reason));
     }
     return html + "</table></div>\n" + file_link("verdicts");
-}
-
-std::string figure_html(const PaperFigure& figure, bool drawn) {
-    const std::string image = fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n", figure.name,
-                                          html_text(figure.chart.title));
-    return fmt::format(
-        "<figure id=\"{0}\">\n{1}<figcaption>{2} <a href=\"{0}.csv\">{0}.csv</a></figcaption>\n</figure>\n",
-        figure.name, drawn ? image : "", html_text(figure.shows));
 }
 
 std::string pictures_html(const PaperResults& results) {
@@ -130,7 +120,7 @@ std::string paper_page(const PaperResults& results, const std::vector<PaperClaim
     html += verdicts_html(claims);
     html += heading("Figures");
     if (!drawn) html += paragraph(no_gnuplot_text);
-    for (const PaperFigure& figure : figures) html += figure_html(figure, drawn);
+    for (const PaperFigure& figure : figures) html += html_chart(figure.name, figure.chart.title, figure.shows, drawn);
     if (!results.pictures.empty()) {
         html += heading("Unfinished pixels");
         html += paragraph("How each primary ray ended under a ceiling of steps: orange was given up, blue hit "

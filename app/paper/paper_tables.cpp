@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "viz/chart_csv.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -146,15 +146,8 @@ PaperTable run_table(const PaperResults& results, const std::vector<PaperClaim>&
 }
 
 std::string table_csv(const PaperTable& table, const std::vector<std::string>& comments) {
-    std::string text;
-    for (const std::string& line : comments) text += csv_comment(line);
-    text += csv_comment(table.title);
-    const auto add = [&](const std::vector<std::string>& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) text += (i ? "," : "") + csv_field(cells[i]);
-        text += '\n';
-    };
-    add(table.header);
-    for (const std::vector<std::string>& row : table.rows) add(row);
+    std::string text = csv_comments(comments) + csv_comment(table.title) + csv_line(table.header);
+    for (const std::vector<std::string>& row : table.rows) text += csv_line(row);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "viz/chart_labels.h"
 
 namespace kd::chart {
 
@@ -25,9 +26,7 @@ struct Plane {
 
     /// Of a point's mark; at the end of its bar where it has one.
     [[nodiscard]] ImVec2 at(std::size_t curve, const ChartPoint& point) const {
-        if (chart.curves[curve].form != Form::bars) return {x(point.x), y(point.y)};
-        const ChartInterval bar = bar_extent(chart, curve, point.x);
-        return {x((bar.low + bar.high) / 2), y(point.y)};
+        return {x(mark_x(chart, curve, point)), y(point.y)};
     }
 };
 
@@ -61,25 +60,34 @@ void draw_whiskers(ImDrawList& list, const Plane& plane, const ChartPoint& point
 void draw_curve(ImDrawList& list, const Plane& plane, std::size_t index) {
     const ChartCurve& curve = plane.chart.curves[index];
     const Look look = look_of(curve.ink);
+    const bool bars = drawn_as_bars(plane.chart, curve);
     std::vector<ImVec2> at;
     for (const ChartPoint& point : curve.points) at.push_back(plane.at(index, point));
     for (std::size_t i = 0; i < at.size(); ++i) {
         const ChartPoint& point = curve.points[i];
         if (curve.form == Form::line && i > 0) draw_stroke(list, at[i - 1], at[i], look, curve.stroke);
-        if (curve.form == Form::bars) {
+        if (bars) {
             const ChartInterval bar = bar_extent(plane.chart, index, point.x);
             list.AddRectFilled({plane.x(bar.low), at[i].y}, {plane.x(bar.high), plane.high.y}, look.colour);
         }
     }
     for (std::size_t i = 0; i < at.size(); ++i) {
         const ChartPoint& point = curve.points[i];
-        const bool bar = curve.form == Form::bars;
-        draw_whiskers(list, plane, point, at[i], bar ? theme::text : look.colour);
-        if (!bar) draw_marker(list, at[i], marker_of(curve), look, point.bound);
+        draw_whiskers(list, plane, point, at[i], bars ? theme::text : look.colour);
+        if (!bars) draw_marker(list, at[i], marker_of(curve), look, point.bound);
         if (point.marked) draw_ring(list, at[i], 6, theme::text);
-        if (!point.label.empty())
-            list.AddText({at[i].x + theme::px(7), at[i].y - ImGui::GetTextLineHeight()}, theme::text,
-                         point.label.c_str());
+    }
+}
+
+void draw_labels(ImDrawList& list, const Plane& plane) {
+    const ImVec2 letter = size_of("0");
+    const LabelSizes sizes{double(plane.high.x - plane.low.x), double(plane.high.y - plane.low.y), double(letter.x),
+                           double(letter.y), double(theme::px(6))};
+    for (const PlacedLabel& label : place_labels(plane.chart, sizes)) {
+        const ChartPoint& point = plane.chart.curves[label.curve].points[label.point];
+        const ImVec2 at = plane.at(label.curve, point), size = size_of(point.label);
+        list.AddText({at.x + float(label.dx) - size.x / 2, at.y - float(label.dy) - size.y / 2}, theme::text,
+                     point.label.c_str());
     }
 }
 
@@ -93,6 +101,7 @@ void draw_curves(ImDrawList& list, const Plane& plane) {
     draw_those([](Ink ink) { return ink == Ink::gpu; });
     draw_those([](Ink ink) { return ink == Ink::cpu; });
     draw_those([](Ink ink) { return ink != Ink::gpu && ink != Ink::cpu; });
+    draw_labels(list, plane);
 }
 
 void draw_lines(ImDrawList& list, const Plane& plane) {
@@ -150,16 +159,18 @@ struct Entry {
     const std::string& name;
     Ink ink;
     Stroke stroke;
-    Form form;
+    bool joined, bar;
     Marker marker;
 };
 
 std::vector<Entry> entries_of(const Chart& chart) {
     std::vector<Entry> entries;
     for (const ChartCurve& curve : chart.curves)
-        if (!curve.name.empty()) entries.push_back({curve.name, curve.ink, curve.stroke, curve.form, marker_of(curve)});
+        if (!curve.name.empty())
+            entries.push_back({curve.name, curve.ink, curve.stroke, curve.form == Form::line,
+                               drawn_as_bars(chart, curve), marker_of(curve)});
     for (const ChartLine& line : chart.lines)
-        if (!line.name.empty()) entries.push_back({line.name, line.ink, line.stroke, Form::line, Marker::none});
+        if (!line.name.empty()) entries.push_back({line.name, line.ink, line.stroke, true, false, Marker::none});
     return entries;
 }
 
@@ -167,10 +178,10 @@ void draw_sample(const Entry& entry, ImVec2 corner, float width, float height) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Look look = look_of(entry.ink);
     const float y = corner.y + height / 2;
-    if (entry.form == Form::bars)
+    if (entry.bar)
         return list.AddRectFilled({corner.x + width / 2, corner.y + theme::px(2)}, {corner.x + width, y + theme::px(5)},
                                   look.colour);
-    if (entry.form == Form::line) draw_stroke(list, {corner.x, y}, {corner.x + width, y}, look, entry.stroke);
+    if (entry.joined) draw_stroke(list, {corner.x, y}, {corner.x + width, y}, look, entry.stroke);
     draw_marker(list, {corner.x + width / 2, y}, entry.marker, look, false);
 }
 
@@ -211,7 +222,7 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
                       {corner.x + size.x - right, corner.y + size.y - 2 * line - theme::px(8)},
                       chart};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText({corner.x, corner.y}, theme::text, fmt::format("{} ({})", chart.title, chart.y.label).c_str());
+    list.AddText({corner.x, corner.y}, theme::text, heading_of(chart).c_str());
     list.AddRectFilled(plane.low, plane.high, theme::sunken);
     draw_axes(list, plane);
     const float label = size_of(chart.x.label).x;

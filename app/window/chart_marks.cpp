@@ -4,21 +4,20 @@
 #include <cmath>
 
 #include "app/window/theme.h"
+#include "viz/chart_palette.h"
 
 namespace kd::chart {
 
 Look look_of(Ink ink) {
+    const Rgba8 c = colour_of(ink, Ground::dark);
+    const ImU32 colour = IM_COL32(c.r, c.g, c.b, c.a);
     switch (ink) {
-        case Ink::gpu: return {theme::gpu, 5, 5};
-        case Ink::cpu: return {theme::cpu, 2, 3};
-        case Ink::green: return {theme::passed, 2, 4};
-        case Ink::red: return {theme::error, 2, 4};
-        case Ink::purple: return {theme::selected, 2, 4};
-        case Ink::light: return {theme::fourth, 2, 4};
-        case Ink::grey: return {theme::dim_text, 1, 3};
-        case Ink::reference: break;
+        case Ink::gpu: return {colour, 5, 5};
+        case Ink::cpu: return {colour, 2, 3};
+        case Ink::grey:
+        case Ink::reference: return {colour, 1, 3};
+        default: return {colour, 2, 4};
     }
-    return {theme::text, 1, 3};
 }
 
 void draw_stroke(ImDrawList& list, ImVec2 from, ImVec2 to, const Look& look, Stroke stroke) {

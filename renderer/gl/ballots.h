@@ -8,7 +8,6 @@
 #include "renderer/geometry/image.h"
 #include "renderer/geometry/shared_types.h"
 #include "renderer/gl/gl_api.h"
-#include "renderer/trace/lockstep.h"
 #include "renderer/trace/trace_config.h"
 
 namespace kd {

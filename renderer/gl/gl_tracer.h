@@ -15,6 +15,7 @@
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/frame.h"
+#include "renderer/trace/schedule.h"
 #include "renderer/trace/trace_config.h"
 
 namespace kd {

@@ -8,6 +8,7 @@
 
 #include "renderer/geometry/image.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/trace/lockstep.h"
 
 namespace kd {
 

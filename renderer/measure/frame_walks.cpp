@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "renderer/geometry/order_statistics.h"
+
 namespace kd {
 
 namespace {
@@ -87,11 +89,7 @@ class Collector {
         report.steps = steps_;
         report.overhead = overhead_.whole();
         report.unlike_hits = overhead_.unlike;
-        if (!overheads_.empty()) {
-            const auto middle = overheads_.begin() + std::ptrdiff_t(overheads_.size() / 2);
-            std::ranges::nth_element(overheads_, middle);
-            report.median_overhead = double(*middle);
-        }
+        if (!overheads_.empty()) report.median_overhead = double(percentile(overheads_, 0.5));
         for (std::size_t i = 0; i < tiles_.size(); ++i) {
             DivergencePoint point;
             point.tile_width = tiles_[i].width;

@@ -1,6 +1,6 @@
 #include "renderer/measure/needs_costs.h"
 
-#include <optional>
+#include <string>
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/memory_plan.h"
@@ -22,28 +22,31 @@ SceneNeeds stripped(SceneNeeds needs, const FeatureInfo& feature) {
 
 std::vector<FeatureTime> time_features(const std::vector<Feature>& features, const ForcedFrame& frame, int rounds,
                                        const std::function<bool(float)>& progress) {
-    std::vector<double> without;
-    std::vector<std::vector<double>> saved(features.size());
+    struct Stopped {};
     const int runs = rounds * int(features.size() + 1);
     int done = 0;
-    const auto time = [&](FeatureSet forced) -> std::optional<double> {
-        if (progress && !progress(float(done++) / float(runs))) return std::nullopt;
-        (void)frame(forced);
-        return frame(forced);
+    const auto contestant = [&](std::string_view name, FeatureSet forced) {
+        return Contestant{std::string(name), [&, forced] {
+                              if (progress && !progress(float(done++) / float(runs))) throw Stopped{};
+                              (void)frame(forced);
+                              return TimeSample{frame(forced)};
+                          }};
     };
-    for (int round = 0; round < rounds; ++round) {
-        const auto bare = time({});
-        if (!bare) return {};
-        without.push_back(*bare);
-        for (std::size_t i = 0; i < features.size(); ++i) {
-            const auto with = time(features[i]);
-            if (!with) return {};
-            saved[i].push_back(*with - *bare);
-        }
+    std::vector<Contestant> contestants{contestant("without", {})};
+    for (const Feature feature : features) contestants.push_back(contestant(info(feature).name, feature));
+    std::vector<TimedRounds> timed;
+    try {
+        timed = time_in_turn(contestants, {.warmup = 0, .rounds = rounds});
+    } catch (const Stopped&) {
+        return {};
     }
+    const std::vector<double> without = timed.front().ms();
     std::vector<FeatureTime> times;
-    for (std::size_t i = 0; i < features.size(); ++i)
-        times.push_back({features[i], summarise(without), median_interval(std::move(saved[i]))});
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        std::vector<double> saved = timed[i + 1].ms();
+        for (std::size_t round = 0; round < saved.size(); ++round) saved[round] -= without[round];
+        times.push_back({features[i], timed.front().total(), median_interval(std::move(saved))});
+    }
     return times;
 }
 

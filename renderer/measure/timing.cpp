@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "renderer/measure/timing_ratio.h"
+#include "renderer/geometry/order_statistics.h"
 
 namespace kd {
 
@@ -37,6 +37,11 @@ double TimedRounds::clock_discrepancy() const {
     for (const TimeSample& s : rounds)
         if (s.ms > 0 && s.wall_ms > 0) ratios.push_back(s.wall_ms / s.ms);
     return ratios.empty() ? 0 : summarise(std::move(ratios)).median_ms - 1;
+}
+
+TimingPlan rounds_within(double seconds, int warmup) {
+    constexpr double at_once = 1e-9;  // 0 would be no limit
+    return {.warmup = warmup, .rounds = 31, .budget_s = std::max(seconds, at_once), .least_rounds = 6};
 }
 
 std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,

@@ -61,6 +61,9 @@ struct TimingPlan {
     int least_rounds = 6;
 };
 
+/// As many rounds as begin within `seconds`, up to 31, but at least the six that a 95 % interval of a median takes.
+[[nodiscard]] TimingPlan rounds_within(double seconds, int warmup = 1);
+
 /// Told after each round of all contestants: how many rounds are done, and all that was measured.
 using RoundDone = std::function<void(int rounds, std::span<const TimedRounds> so_far)>;
 

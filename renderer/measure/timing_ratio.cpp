@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "renderer/geometry/order_statistics.h"
+
 namespace kd {
 
 namespace {
@@ -19,19 +21,12 @@ double fewer_heads(int k, int n) {
     return sum;
 }
 
-std::string short_text(double value) {
+}  // namespace
+
+std::string short_number(double value) {
     const double size = std::abs(value);
     if (size != 0 && (size < 0.01 || size >= 10000)) return fmt::format("{:.2e}", value);
     return fmt::format("{:.{}f}", value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 || size == 0 ? 2 : 4);
-}
-
-}  // namespace
-
-double quantile(std::span<const double> ascending, double q) {
-    const double position = q * double(ascending.size() - 1);
-    const auto below = std::size_t(position);
-    const auto above = std::min(below + 1, ascending.size() - 1);
-    return std::lerp(ascending[below], ascending[above], position - double(below));
 }
 
 MedianInterval median_interval(std::vector<double> values) {
@@ -60,18 +55,35 @@ MedianInterval ratio_interval(std::span<const double> over, std::span<const doub
     return median_interval(std::move(ratios));
 }
 
-std::string ratio_text(const MedianInterval& ratio) {
-    if (ratio.samples == 0) return "–";
-    if (!ratio.sure()) return fmt::format("{}× (too few rounds)", short_text(ratio.median));
-    const std::string range = fmt::format("({} – {})", short_text(ratio.low), short_text(ratio.high));
-    if (ratio.holds(1)) return "no difference seen " + range;
-    return fmt::format("{}× {}", short_text(ratio.median), range);
+RatioVerdict verdict_of(const MedianInterval& ratio) {
+    if (ratio.samples == 0) return RatioVerdict::none;
+    if (!ratio.sure()) return RatioVerdict::too_few;
+    if (ratio.holds(1)) return RatioVerdict::no_difference;
+    return ratio.high < 1 ? RatioVerdict::below : RatioVerdict::above;
+}
+
+std::string ratio_text(const MedianInterval& ratio, const NumberText& number) {
+    const auto text = [&](const char* part, double value) {
+        return number ? number(part, value) : short_number(value);
+    };
+    const auto range = [&] {
+        const std::string low = text("low", ratio.low);
+        return fmt::format("({} – {})", low, text("high", ratio.high));
+    };
+    switch (verdict_of(ratio)) {
+        case RatioVerdict::none: return "–";
+        case RatioVerdict::too_few: return fmt::format("{}× (too few rounds)", text("median", ratio.median));
+        case RatioVerdict::no_difference: return "no difference seen " + range();
+        default: break;
+    }
+    const std::string median = text("median", ratio.median);
+    return fmt::format("{}× {}", median, range());
 }
 
 std::string interval_text(const MedianInterval& value) {
     if (value.samples == 0) return "–";
-    if (value.low == value.high) return short_text(value.median);
-    return fmt::format("{} ({} – {})", short_text(value.median), short_text(value.low), short_text(value.high));
+    if (value.low == value.high) return short_number(value.median);
+    return fmt::format("{} ({} – {})", short_number(value.median), short_number(value.low), short_number(value.high));
 }
 
 }  // namespace kd

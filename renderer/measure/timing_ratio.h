@@ -1,14 +1,12 @@
 // Comparing times: a ratio with the interval that it lies in, or the remark that no difference is seen.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace kd {
-
-/// Quantile `q` of ascending values, linear between them; at least one value.
-[[nodiscard]] double quantile(std::span<const double> ascending, double q);
 
 /// A median with an interval that holds the true median of what was drawn from with probability `confidence`.
 struct MedianInterval {
@@ -35,8 +33,20 @@ struct MedianInterval {
 /// which either was not measured (not above 0) are left out.
 [[nodiscard]] MedianInterval ratio_interval(std::span<const double> over, std::span<const double> under);
 
-/// "1.37× (1.35 – 1.40)", "no difference seen (0.98 – 1.03)", "1.37× (too few rounds)", "–": none.
-[[nodiscard]] std::string ratio_text(const MedianInterval& ratio);
+/// What an interval of ratios shows: nothing at all, too little for 95 %, no difference (it holds 1), or on which side of 1 it
+/// lies.
+enum class RatioVerdict { none, too_few, no_difference, below, above };
+[[nodiscard]] RatioVerdict verdict_of(const MedianInterval& ratio);
+
+/// "1.37", "12.4", "0.0374", "1.20e-05": as ratio_text() and interval_text() write a number.
+[[nodiscard]] std::string short_number(double value);
+
+/// Writes one of the numbers in a text: the "median", "low" or "high" of an interval.
+using NumberText = std::function<std::string(const char* part, double value)>;
+
+/// "1.37× (1.35 – 1.40)", "no difference seen (0.98 – 1.03)", "1.37× (too few rounds)", "–": none. `number` writes the
+/// numbers where they are to look otherwise.
+[[nodiscard]] std::string ratio_text(const MedianInterval& ratio, const NumberText& number = {});
 
 /// "1.37 (1.35 – 1.40)", and "4.96" where it is exact.
 [[nodiscard]] std::string interval_text(const MedianInterval& value);

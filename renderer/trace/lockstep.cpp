@@ -1,7 +1,6 @@
 #include "renderer/trace/lockstep.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 #include <numeric>
@@ -9,14 +8,6 @@
 namespace kd {
 
 namespace {
-
-constexpr std::array<ScheduleInfo, schedule_count> table{{
-    {Schedule::lockstep, "lockstep",
-     "Every lane makes its next step, whatever kind it is: the least that any lockstep costs."},
-    {Schedule::if_if, "if-if", "One loop: in each iteration the lanes at interior nodes step, then those at leaves."},
-    {Schedule::while_while, "while-while",
-     "Two loops in one: all lanes go down until each is at a leaf, then all test until none is."},
-}};
 
 using Phases = std::vector<std::uint32_t>;
 
@@ -191,10 +182,6 @@ NodeReads count_reads(std::span<const Read> reads) {
 }
 
 }  // namespace
-
-std::span<const ScheduleInfo> schedules() { return table; }
-
-const ScheduleInfo& info(Schedule schedule) { return table[static_cast<std::size_t>(schedule)]; }
 
 GroupTally& GroupTally::operator+=(const GroupTally& more) {
     steps += more.steps;

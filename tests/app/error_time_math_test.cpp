@@ -92,9 +92,12 @@ TEST(Ranking, KendallsTauCountsPairs) {
 }
 
 TEST(Ranking, FramesUntilABetterTreePays) {
-    EXPECT_NEAR(break_even(100, 12, 300, 10).value(), 100, 1e-12);
-    EXPECT_FALSE(break_even(100, 10, 300, 10).has_value());
-    EXPECT_EQ(break_even(300, 12, 100, 10).value(), 0);
+    const MedianInterval slower = median_interval({1.1, 1.1, 1.2, 1.2, 1.3, 1.3});
+    EXPECT_NEAR(break_even(100, 300, 10, slower).value(), 100, 1e-9);
+    EXPECT_EQ(break_even(300, 100, 10, slower).value(), 0) << "no slower to build";
+    EXPECT_FALSE(break_even(100, 300, 10, median_interval({0.9, 1.1, 1.2, 1.2, 1.3, 1.3})).has_value()) << "holds 1";
+    EXPECT_FALSE(break_even(100, 300, 10, median_interval({0.5, 0.5, 0.5, 0.5, 0.5, 0.5})).has_value());
+    EXPECT_FALSE(break_even(100, 300, 10, median_interval({1.1, 1.2, 1.3})).has_value()) << "too few rounds";
 }
 
 Colours plain(int width, int height, glm::dvec3 colour) { return {width, height, colour}; }

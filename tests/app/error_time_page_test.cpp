@@ -1,47 +1,77 @@
 // errortime from the command line to its page: what is written, what the page tells, and what is left out and why.
 
+#include <cmath>
 #include <fstream>
 #include <regex>
 #include <set>
 
-#include "app/convergence_charts.h"
 #include "app/error_time/error_time_charts.h"
 #include "app/error_time/error_time_page.h"
 #include "app/error_time/error_time_tables.h"
 #include "renderer/io/file.h"
 #include "tests/app/cli_run.h"
+#include "tests/app/report_page.h"
 
 namespace kd {
 namespace {
 
 using test::expect_usage_error;
+using test::numbers_in;
 using test::Outcome;
 using test::run_kdscope;
 namespace fs = std::filesystem;
 
-std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
-    std::vector<std::string> found;
-    const std::regex regex(pattern);
-    for (std::sregex_iterator i(text.begin(), text.end(), regex); i != std::sregex_iterator(); ++i)
-        found.push_back((*i)[1]);
-    return found;
+/// Lines of a table as fields; none of them is quoted here but the first.
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+    static const std::regex field("(?:^|,)(?:\"((?:[^\"]|\"\")*)\"|([^,]*))");
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("#")) continue;
+        rows.emplace_back();
+        for (std::sregex_iterator i(line.begin(), line.end(), field), end; i != end; ++i)
+            rows.back().push_back((*i)[1].matched ? i->str(1) : i->str(2));
+    }
+    return rows;
 }
 
-/// Every number of the page stands in numbers.csv, and every link leads to a file beside it.
+/// Whether `shown` is `value` to within half a unit of its last digit.
+bool is_rounded(const std::string& shown, double value) {
+    const std::size_t e = std::min(shown.find('e'), shown.size()), point = std::min(shown.find('.'), e);
+    const int exponent = e < shown.size() ? std::stoi(shown.substr(e + 1)) : 0;
+    const int decimals = point < e ? int(e - point - 1) : 0;
+    return std::abs(std::stod(shown) - value) <= 0.5001 * std::pow(10.0, exponent - decimals);
+}
+
+/// Numbers that the page shows and that no table of the folder holds by name: none but those of its own sentences.
+std::set<std::string> stray_numbers(const fs::path& folder, const std::string& page) {
+    std::set<std::string> known{"0.5", "95", "99.9", "5", "1997", "2020"};
+    for (const char* table : {"scenes.csv", "left-out.csv"}) known.merge(numbers_in(read_file(folder / table)));
+    std::set<std::pair<std::string, std::string>> tabled;
+    for (const auto& row : rows_of(read_file(folder / "numbers.csv"))) {
+        known.merge(numbers_in(row[0]));
+        tabled.emplace(row[1], row[2]);
+    }
+    std::set<std::string> strays;
+    static const std::regex data("<data value=\"([^\"]*)\">([^<]*)</data>");
+    for (std::sregex_iterator i(page.begin(), page.end(), data), end; i != end; ++i)
+        if (!tabled.contains({i->str(2), i->str(1)}) || !is_rounded(i->str(2), std::stod(i->str(1))))
+            strays.insert(i->str(2));
+    const std::string links = "<a [^>]*>[^<]*</a>";  // names of files, which are held to be there
+    const std::string rest = std::regex_replace(std::regex_replace(page, data, " "), std::regex(links), " ");
+    for (const std::string& number : numbers_in(test::visible(rest)))
+        if (!known.contains(number)) strays.insert(number);
+    return strays;
+}
+
+/// Every number of the page stands in a table, and every link leads to a file beside it.
 void expect_whole_page(const fs::path& folder) {
-    const std::string page = read_file(folder / "index.html"), numbers = read_file(folder / "numbers.csv");
-    const std::vector<std::string> shown = all_matches(page, "<data value=\"[^\"]*\">([^<]*)</data>");
-    EXPECT_GT(shown.size(), 5u);
-    std::set<std::string> known;
-    for (const std::string& line : all_matches(numbers, "([^\n]+)\n")) {
-        const std::size_t last = line.rfind(','), before = line.rfind(',', last - 1);
-        known.insert(line.substr(before + 1, last - before - 1));
-    }
-    for (const std::string& number : shown) EXPECT_TRUE(known.contains(number)) << number;
-    for (const std::string& link : all_matches(page, "(?:href|src)=\"([^\"]*)\"")) {
-        EXPECT_FALSE(link.starts_with("/") || link.find(':') != std::string::npos) << link;
-        EXPECT_TRUE(fs::exists(folder / link)) << link;
-    }
+    const std::string page = read_file(folder / "index.html");
+    EXPECT_EQ(stray_numbers(folder, page), std::set<std::string>());
+    EXPECT_EQ(stray_numbers(folder, page + "<p>It took 7.31 s, <data value=\"2\">2.5</data>.</p>"),
+              (std::set<std::string>{"7.31", "2.5"}))
+        << "the check itself can fail";
+    test::expect_links_to_exist(folder);
 }
 
 TEST(ErrorTimeCommand, QuickReportsOfASmallSceneAreWhole) {
@@ -62,6 +92,51 @@ TEST(ErrorTimeCommand, QuickReportsOfASmallSceneAreWhole) {
     const std::string table = read_file(out / "p1-ball-300.csv");
     EXPECT_TRUE(std::regex_search(table, std::regex("# version: [0-9]"))) << table.substr(0, 500);
     EXPECT_TRUE(std::regex_search(table, std::regex("# cpu: .")));
+    // The page's numbers are those of the reports' own tables.
+    const std::string slopes = read_file(out / "p1-ball-300-slopes.csv");
+    int compared = 0;
+    for (const auto& row : rows_of(read_file(out / "numbers.csv")))
+        if (row[0].ends_with(": slope") || row[0].ends_with(": frame ms") || row[0].ends_with("frame / first, low")) {
+            if (!row[0].starts_with("ball:300: P1: ")) continue;
+            EXPECT_NE(slopes.find("," + row[2] + ","), std::string::npos) << row[0];
+            ++compared;
+        }
+    EXPECT_EQ(compared, 9 + 9 + 6) << "three samplers, three traversals; the first is compared with nothing";
+}
+
+TEST(ErrorTimeCommand, ASceneGivenTwiceHasFilesOfItsOwnEachTime) {
+    const test::TestFolder folder;
+    const fs::path out = fs::path(folder.folder()) / "et";
+    const Outcome outcome = run_kdscope(
+        {"errortime", "--quick", "--seconds", "1", "--report", "P3", "-o", out.string(), "ball:100", "ball:100"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::set<std::string> files;
+    int told = 0;
+    for (std::string line; std::getline(lines, line); ++told) files.insert(line);
+    EXPECT_EQ(told, int(files.size())) << outcome.out;
+    for (const char* name : {"p3-ball-100.csv", "p3-2-ball-100.csv", "p3-ball-100-rays.csv", "p3-2-ball-100-rays.csv"})
+        EXPECT_TRUE(fs::exists(out / name)) << name;
+    const std::string page = read_file(out / "index.html");
+    EXPECT_NE(page.find("<h3>ball:100 (2)</h3>"), std::string::npos);
+    expect_whole_page(out);
+}
+
+TEST(ReportNames, NoTwoScenesShareAFile) {
+    const auto stems = [](const std::vector<std::string>& scenes) {
+        std::vector<std::string> all;
+        for (const ReportName& name : report_names(scenes)) all.push_back(name.stem);
+        return all;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(stems({"a/x.glb", "b/x.glb", "c/x.glb"}), (Names{"x-glb", "2-x-glb", "3-x-glb"}));
+    EXPECT_EQ(stems({"ball:9000", "ball-9000"}), (Names{"ball-9000", "2-ball-9000"})) << "one stem of two names";
+    EXPECT_EQ(stems({"A.glb", "a.glb"}), (Names{"A-glb", "2-a-glb"})) << "one file where case does not count";
+    EXPECT_EQ(stems({"room", "room-slopes"}), (Names{"room", "2-room-slopes"})) << "p1-room-slopes.csv";
+    EXPECT_EQ(stems({"room-flip", "room"}), (Names{"room-flip", "2-room"}));
+    EXPECT_EQ(stems({"ball:1000", "ball:10000", "rooms"}), (Names{"ball-1000", "ball-10000", "rooms"}));
+    EXPECT_EQ(report_names({"a", "a", "b"})[1].shown, "a (2)");
+    EXPECT_EQ(report_names({"a", "a", "b"})[2].shown, "b");
 }
 
 TEST(ErrorTimeCommand, WhatDoesNotApplyIsLeftOutAndSaid) {
@@ -94,6 +169,57 @@ TEST(ErrorTimeCommand, InterruptedLeavesNoPage) {
     const Outcome outcome = run_kdscope({"errortime", "--quick", "-o", out.string(), "ball:300"}, stop.get_token());
     EXPECT_EQ(outcome.code, 130) << outcome.err;
     EXPECT_FALSE(fs::exists(out / "index.html"));
+}
+
+/// A page whose only scene has trees of these ratios of frame times to the reference, the first row.
+std::string page_of_builds(const fs::path& folder, const std::vector<MedianInterval>& ratios) {
+    ErrorTimeResults results;
+    results.config.reports = {ErrorReport::p4};
+    SceneErrorTime scene;
+    scene.name = {"made:1", "made-1"};
+    TreeReport& trees = scene.trees.emplace();
+    trees.width = trees.height = 8;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        TreeRow row;
+        row.builder = std::string("builder ") + char('a' + char(i));
+        row.leaf_size = 2;
+        row.build = {i == 0 ? 300.0 : 100.0, 90, 310, 6};
+        row.frame = {i == 0 ? 10.0 : 9.0, 8, 12, 6};  // the medians say that all are quicker than the reference
+        row.frame_ratio = ratios[i];
+        row.break_even_frames = break_even(row.build.median_ms, 300, 10, row.frame_ratio);
+        trees.rows.push_back(row);
+    }
+    results.scenes.push_back(std::move(scene));
+    (void)write_error_time(folder, results, {});
+    return read_file(folder / "index.html");
+}
+
+/// The cells of the row of the page's tables that begins with `name`, without tags.
+std::vector<std::string> cells_of(const std::string& page, const std::string& name) {
+    const std::size_t begin = page.find("<td>" + name), end = page.find("</tr>", begin);
+    const std::string row = std::regex_replace(page.substr(begin, end - begin), std::regex("</?data[^>]*>"), "");
+    std::vector<std::string> cells;
+    static const std::regex cell("<td>([^<]*)</td>");
+    for (std::sregex_iterator i(row.begin(), row.end(), cell), last; i != last; ++i) cells.push_back(i->str(1));
+    return cells;
+}
+
+TEST(ErrorTimePage, SaysOfBuildersWhatTheIntervalShowsAndNoMore) {
+    const test::TestFolder folder;
+    const std::string page = page_of_builds(
+        folder.folder(),
+        {exactly(1), median_interval({1.1, 1.1, 1.2, 1.2, 1.3, 1.3}), median_interval({0.9, 1.1, 1.2, 1.2, 1.3, 1.3}),
+         median_interval({0.5, 0.5, 0.6, 0.6, 0.7, 0.7}), median_interval({1.1, 1.2, 1.3})});
+    EXPECT_EQ(cells_of(page, "builder a").back(), "the reference");
+    const auto above = cells_of(page, "builder b");
+    EXPECT_EQ(above.back(), "100") << "though the medians of the frames stand the other way round";
+    EXPECT_EQ(above[above.size() - 2], "1.20× (1.10 – 1.30)");
+    const auto holds_one = cells_of(page, "builder c");
+    EXPECT_EQ(holds_one.back(), "no difference seen");
+    EXPECT_EQ(holds_one[holds_one.size() - 2], "no difference seen (0.90 – 1.30)");
+    EXPECT_EQ(cells_of(page, "builder d").back(), "never: its frames are slower");
+    EXPECT_EQ(cells_of(page, "builder e").back(), "too few rounds to say");
+    expect_whole_page(folder.folder());
 }
 
 HitReport two_rows() {
@@ -132,6 +258,57 @@ TEST(ErrorTimeFigures, NothingSeenIsDrawnAsABound) {
     EXPECT_TRUE(faults->chart.x.logarithmic && faults->chart.y.logarithmic);
 }
 
+TEST(ErrorTimeFigures, ErrorsOfTStandOpenAtTheFootWhereThereAreNone) {
+    HitReport report = two_rows();
+    report.rows[0].ulp_p50 = report.rows[0].ulp_p999 = report.rows[0].ulp_most = 0;
+    const auto figures = hit_figures(report);
+    const auto ulps = std::ranges::find(figures, "p2-T15-ulps", &ErrorFigure::name);
+    ASSERT_NE(ulps, figures.end());
+    ASSERT_EQ(ulps->chart.curves.size(), 2u);
+    const ChartPoint& exact = ulps->chart.curves[0].points[0];
+    EXPECT_TRUE(exact.bound);
+    EXPECT_EQ(exact.y, 0.25) << "half of the least error that is one";
+    EXPECT_EQ(ulps->chart.curves[1].points[0].y, 3);
+    EXPECT_FALSE(ulps->chart.curves[1].points[0].bound);
+}
+
+TEST(ErrorTimeFigures, AnEmptyDiagramIsLeftOutAndSaid) {
+    HitReport report = two_rows();
+    for (HitRow& row : report.rows) row.ulp_p50 = row.ulp_p999 = row.ulp_most = 0;
+    for (const ErrorFigure& figure : hit_figures(report)) EXPECT_NE(figure.name, "p2-T15-ulps");
+    const auto missing = left_out_hit_figures(report);
+    const auto t15 = std::ranges::find(missing, "T15, the error of t", &MissingFigure::what);
+    ASSERT_NE(t15, missing.end());
+    EXPECT_EQ(t15->why, "every t that was found is exact");
+    const auto t16 = std::ranges::find(missing, "T16, the error of t", &MissingFigure::what);
+    ASSERT_NE(t16, missing.end());
+    EXPECT_EQ(t16->why, "no ray found anything");
+
+    const test::TestFolder folder;
+    ErrorTimeResults results;
+    results.config.reports = {ErrorReport::p2};
+    results.hits = report;
+    (void)write_error_time(folder.folder(), results, {});
+    EXPECT_FALSE(fs::exists(folder.file("p2-T15-ulps.csv")));
+    EXPECT_NE(read_file(folder.file("index.html")).find("for T15, the error of t: every t that was found is exact."),
+              std::string::npos);
+    EXPECT_NE(
+        read_file(folder.file("left-out.csv")).find("P2,\"T15, the error of t\",every t that was found is exact\n"),
+        std::string::npos);
+}
+
+TEST(ErrorTimePage, CallsLowerLeftBetterWhereItIs) {
+    const test::TestFolder folder;
+    ErrorTimeResults results;
+    results.config.reports = {ErrorReport::p3};
+    (void)write_error_time(folder.folder(), results, {});
+    const std::string page = read_file(folder.file("index.html"));
+    EXPECT_NE(page.find("The diagrams of P1, P2 and P4"), std::string::npos);
+    const std::size_t p3 = page.find("<h2>P3");
+    ASSERT_NE(p3, std::string::npos);
+    EXPECT_EQ(page.find("lower left", p3), std::string::npos);
+}
+
 TEST(ErrorTimeFigures, PageOfHitsIsWhole) {
     const test::TestFolder folder;
     ErrorTimeResults results;
@@ -147,51 +324,6 @@ TEST(ErrorTimeFigures, ShownNumbersKeepTheWholeValue) {
     ShownNumbers number;
     EXPECT_EQ(number("a, b", 1.0 / 3, "{:.2f}"), "<data value=\"0.3333333333333333\">0.33</data>");
     EXPECT_EQ(number.csv(), "name,shown,value\n\"a, b\",0.33,0.3333333333333333\n");
-}
-
-TEST(ConvergenceTest, TwoHalvesEstimateTheErrorOfTheirMean) {
-    ConvergenceState state;
-    Convergence convergence(state);
-    Session session;
-    session.width = session.height = 1;
-    convergence.start(Sampler::independent);
-    ASSERT_TRUE(convergence.wants_sample());
-    // Samples 0 and 1 of a pixel that is 0.5: the mean is right, the halves differ by 1, so the estimate is 0.5.
-    for (const float value : {0.0f, 1.0f}) {
-        (void)convergence.begin_or_go_on(session);
-        convergence.add(Image<Vec4>(1, 1, Vec4(value)), 250);
-    }
-    ASSERT_EQ(state.curves.size(), 1u);
-    ASSERT_EQ(state.curves[0].points.size(), 1u);
-    EXPECT_EQ(state.curves[0].points[0].rmse, 0.5);
-    EXPECT_EQ(state.curves[0].points[0].seconds, 0.5);
-    EXPECT_EQ(convergence.mean().at(0, 0).x, 0.5);
-    // Another traversal is another curve of the same picture, another camera another picture.
-    session.trace.traversal = Traversal::restart;
-    (void)convergence.begin_or_go_on(session);
-    EXPECT_EQ(state.curves.size(), 2u);
-    EXPECT_EQ(state.samples, 0);
-    session.camera = Camera{};
-    convergence.follow(session);
-    EXPECT_TRUE(state.curves.empty());
-}
-
-TEST(ConvergenceTest, EachConfigurationIsKeptOnceAndRoundsWinOverOneFrame) {
-    ConvergenceState state;
-    Session session;
-    state.note_tried(session, 20, {5, 5, 5, 1}, true);
-    session.view.show_map = !session.view.show_map;
-    state.note_tried(session, 20, {4, 3, 6, 9}, false);
-    state.note_tried(session, 20, {7, 7, 7, 1}, true);
-    ASSERT_EQ(state.tried.size(), 1u);
-    EXPECT_EQ(state.tried[0].time.median_ms, 4);
-    session.tracer = TracerKind::gl_fragment;
-    state.note_tried(session, 20, {9, 9, 9, 1}, true);
-    const TriedChart chart = tried_chart(state, session);
-    ASSERT_EQ(chart.chart.curves.size(), 2u);
-    ASSERT_TRUE(chart.current.has_value());
-    EXPECT_EQ(chart.current->first, 1u);
-    EXPECT_EQ(chart.tried[1][0], 1u);
 }
 
 }  // namespace

@@ -1,52 +1,31 @@
 // kdscope paper: the page, its tables and figures, and a whole small run.
 #include <fstream>
 #include <gtest/gtest.h>
-#include <regex>
 #include <set>
 
 #include "app/chart_files.h"
 #include "app/paper/paper_page.h"
 #include "renderer/io/file.h"
 #include "tests/app/cli_run.h"
+#include "tests/app/report_page.h"
 #include "tests/support/paper_samples.h"
-#include "viz/chart_csv.h"
 
 namespace kd {
 namespace {
 
 namespace fs = std::filesystem;
+using test::expect_links_to_exist;
+using test::numbers_in;
 using test::run_kdscope;
 using test::TestFolder;
-
-std::set<std::string> numbers_in(const std::string& text) {
-    static const std::regex number("[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?");
-    std::set<std::string> numbers;
-    for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i) numbers.insert(i->str());
-    return numbers;
-}
-
-/// What a reader sees: without style and tags.
-std::string visible(const std::string& html) {
-    const std::string body = html.substr(html.find("<body>"));
-    return std::regex_replace(body, std::regex("<[^>]*>"), " ");
-}
 
 /// Fails the test for every number that a reader of the folder's page sees and no table holds.
 void expect_numbers_in_tables(const fs::path& folder) {
     std::set<std::string> known;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".csv") known.merge(numbers_in(read_file(entry.path())));
-    std::string page = visible(read_file(folder / "index.html"));
+    const std::string page = test::visible(read_file(folder / "index.html"));
     for (const std::string& number : numbers_in(page)) EXPECT_TRUE(known.contains(number)) << number;
-}
-
-void expect_links_to_exist(const fs::path& folder) {
-    const std::string page = read_file(folder / "index.html");
-    static const std::regex link("(?:href|src)=\"([^\"]*)\"");
-    int links = 0;
-    for (std::sregex_iterator i(page.begin(), page.end(), link), end; i != end; ++i, ++links)
-        EXPECT_TRUE(fs::exists(folder / i->str(1))) << i->str(1);
-    EXPECT_GT(links, 10);
 }
 
 TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
@@ -132,6 +111,15 @@ TEST(PaperFigures, PutThePapersClaimsBesideOurs) {
         ASSERT_EQ(claims.points.size(), 4u);
         EXPECT_NEAR(claims.points[0].y, 8 * 200, 40) << "8x CPURT";
         EXPECT_NEAR(claims.points[1].y, 16 * 200, 80) << "16x CPURT";
+        const auto place_of = [&](PaperMethod method, double scene) {
+            const auto curve = std::ranges::find(figure.chart.curves, info(method).name, &ChartCurve::name);
+            return mark_x(figure.chart, std::size_t(curve - figure.chart.curves.begin()), {.x = scene});
+        };
+        for (const double scene : {0.0, 1.0}) {
+            const std::size_t first = scene == 0 ? 0 : 2;
+            EXPECT_EQ(claims.points[first].x, place_of(PaperMethod::cpu_restart, scene)) << "beside our own mark";
+            EXPECT_EQ(claims.points[first + 1].x, place_of(PaperMethod::gpurt, scene));
+        }
     }
 }
 

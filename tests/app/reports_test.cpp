@@ -12,6 +12,7 @@
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/traversal.h"
 #include "tests/app/cli_run.h"
+#include "viz/text.h"
 
 namespace kd {
 namespace {
@@ -323,6 +324,47 @@ TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {
     EXPECT_EQ(out.str(), "name       n\n"
                          "a       1000\n"
                          "longer     7\n");
+}
+
+TEST(TextTable, WhatMayDropStandsBelowItsRowWhereTheTableIsTooWide) {
+    TextTable table({{"name", TextTable::Align::left}, {"because", TextTable::Align::left, true}, {"n"}});
+    table.add_row({"a", "of one reason and another", "1000"});
+    table.add_row({"b", "", "7"});
+    std::ostringstream wide, narrow;
+    table.print(wide);
+    table.print(narrow, 20);
+    EXPECT_EQ(wide.str(), "name  because                       n\n"
+                          "a     of one reason and another  1000\n"
+                          "b                                   7\n");
+    EXPECT_EQ(narrow.str(), "name     n\n"
+                            "a     1000\n"
+                            "    of one reason\n"
+                            "    and another\n"
+                            "b        7\n");
+}
+
+/// The longest line in letters.
+std::size_t widest(const std::string& text) {
+    std::size_t most = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) most = std::max(most, decode_utf8(line).size());
+    return most;
+}
+
+TEST(Needs, TableKeepsWithinAHundredLetters) {
+    const test::Outcome outcome = run_kdscope({"render", "cornell", "--needs", "--rounds", "6", "--size", "16x12"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\n    no textured material (--force textures)\n"), std::string::npos) << outcome.out;
+    EXPECT_LE(widest(outcome.out), 100u) << outcome.out;
+}
+
+TEST(Bench, TableKeepsWithinAHundredLetters) {
+    const test::Outcome outcome =
+        run_kdscope({"bench", "cornell", "--size", "64x48", "--rounds", "6", "--warmup", "0", "--tracer", "cpu"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LE(widest(outcome.out), 100u) << outcome.out;
+    EXPECT_NE(outcome.out.find("\ncpu: "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("; clock: steady clock\n"), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // renderer/measure: the timing service, and comparisons that know what they do not know.
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -44,6 +45,16 @@ TEST(Timing, ABudgetEndsTheRoundsButNotBeforeTheLeast) {
     const TimingPlan plan{.warmup = 0, .rounds = 100, .budget_s = 1e-9, .least_rounds = 6};
     EXPECT_EQ(time_in_turn(one, plan)[0].rounds.size(), 6u);
     EXPECT_EQ(time_in_turn(one, {.warmup = 0, .rounds = 4, .budget_s = 1e-9})[0].rounds.size(), 4u);
+}
+
+TEST(Timing, RoundsWithinNoTimeAtAllAreTheLeastThatSayAnything) {
+    const std::vector<Contestant> one{{"a", [] { return TimeSample{1.0}; }}};
+    for (const double seconds : {0.0, 1e-12}) {
+        const TimedRounds timed = time_in_turn(one, rounds_within(seconds))[0];
+        EXPECT_EQ(timed.rounds.size(), 6u);
+        EXPECT_TRUE(ratio_interval(timed.ms(), timed.ms()).sure());
+    }
+    EXPECT_EQ(time_in_turn(one, rounds_within(1e6))[0].rounds.size(), 31u);
 }
 
 TEST(Timing, ClocksAreHeldAgainstEachOther) {
@@ -119,6 +130,13 @@ TEST(RatioInterval, SaysNoDifferenceWhereTheIntervalHoldsOne) {
     EXPECT_EQ(ratio_text(median_interval({1.35, 1.36, 1.37, 1.37, 1.38, 1.40})), "1.37× (1.35 – 1.40)");
     EXPECT_EQ(ratio_text(median_interval({1.35, 1.36, 1.37})), "1.36× (too few rounds)");
     EXPECT_EQ(ratio_text({}), "–");
+    EXPECT_EQ(verdict_of(median_interval({0.98, 0.99, 1.0, 1.01, 1.02, 1.03})), RatioVerdict::no_difference);
+    EXPECT_EQ(verdict_of(median_interval({1.35, 1.36, 1.37, 1.37, 1.38, 1.40})), RatioVerdict::above);
+    EXPECT_EQ(verdict_of(median_interval({0.35, 0.36, 0.37, 0.37, 0.38, 0.40})), RatioVerdict::below);
+    EXPECT_EQ(verdict_of(median_interval({1.35, 1.36, 1.37})), RatioVerdict::too_few);
+    EXPECT_EQ(verdict_of({}), RatioVerdict::none);
+    const auto marked = [](const char* part, double value) { return fmt::format("[{} {}]", part, value); };
+    EXPECT_EQ(ratio_text(median_interval({2, 2, 2, 2, 2, 3}), marked), "[median 2]× ([low 2] – [high 3])");
     EXPECT_EQ(interval_text(exactly(4.96)), "4.96");
     EXPECT_EQ(interval_text(median_interval({1, 1, 1, 2, 2, 2})), "1.50 (1.00 – 2.00)");
 }

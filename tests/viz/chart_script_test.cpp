@@ -63,7 +63,7 @@ TEST(ChartScript, PointsBoundsWhiskersRingsAndLabelsAreThere) {
     EXPECT_TRUE(has(script, "<< EOD\n9000 40\nEOD")) << "the bound alone, open";
     EXPECT_TRUE(has(script, "points pt 6")) << "an open circle";
     EXPECT_TRUE(has(script, "1000 11 0 3\n1000 12 100 0\n")) << "whiskers as vectors, cut off at the axis";
-    EXPECT_TRUE(has(script, "set label 'here' at 1000, 12"));
+    EXPECT_TRUE(has(script, "set label 'here' at 1000, 12 center front offset screen 0."));
     EXPECT_TRUE(has(script, "set arrow from graph 0, first 20 to graph 1, first 20"));
     EXPECT_TRUE(has(script, "set label 'median of 15'"));
     for (const char* name : {"'stack'", "'ideal'", "'2006'"})
@@ -78,13 +78,49 @@ TEST(ChartScript, ValuesBeyondTheAxesAreDrawnAtTheirEnds) {
     EXPECT_FALSE(has(chart_script(chart), "1000000000"));
 }
 
-TEST(ChartScript, BarsStandOnTheAxisAndALegendGrowsTheFigureInsteadOfCoveringIt) {
+/// Two curves side by side, the first with whiskers.
+Chart side_by_side(bool logarithmic) {
     Chart chart;
     chart.x = axis_of_names("scene", {"ball"});
-    chart.y = {"nodes", true, 1, 100, {}};
-    chart.curves = {{"a", Ink::cpu, Stroke::solid, {{0, 30}}, Form::bars}};
+    chart.y = {"nodes", logarithmic, 1, 100, {}};
+    chart.curves = {{"a", Ink::cpu, Stroke::solid, {{0, 30, false, "", {}, ChartInterval{20, 40}}}, Form::bars},
+                    {"b", Ink::gpu, Stroke::solid, {{0, 50}}, Form::bars}};
+    return chart;
+}
+
+TEST(ChartScript, BarsStandOnTheAxis) {
+    const std::string script = chart_script(side_by_side(false));
+    EXPECT_TRUE(has(script, "0 30 -0.4 0 1 30\n")) << script;
+    EXPECT_TRUE(has(script, "0 50 0 0.4 1 50\n")) << script;
+    EXPECT_TRUE(has(script, "with boxxyerror"));
+    EXPECT_FALSE(has(script, " with points"));
+}
+
+TEST(ChartScript, OnALogarithmicAxisMarksStandWhereBarsWould) {
+    const std::string script = chart_script(side_by_side(true));
+    EXPECT_FALSE(has(script, "boxxyerror")) << "the length of such a bar means nothing";
+    EXPECT_FALSE(has(script, "set object rectangle")) << "nor does its sample in the legend";
+    EXPECT_TRUE(has(script, "<< EOD\n-0.2 30\nEOD\n")) << script;
+    EXPECT_TRUE(has(script, "<< EOD\n0.2 50\nEOD\n")) << script;
+    EXPECT_TRUE(has(script, "<< EOD\n-0.2 20 0 20\nEOD\n")) << "its whisker" << script;
+    EXPECT_TRUE(has(script, "points pt 7")) << "a circle for the CPU";
+    EXPECT_TRUE(has(script, "points pt 5")) << "a square for the GPU";
+}
+
+TEST(ChartScript, ALongNoteIsBrokenIntoLinesThatTheFigureHolds) {
+    Chart chart = side_by_side(false);
+    for (int i = 0; i < 60; ++i) chart.note += "word ";
+    const std::string script = chart_script(chart);
+    std::size_t lines = 0;
+    for (std::size_t at = script.find("set label 'word"); at != std::string::npos;
+         at = script.find("set label 'word", at + 1), ++lines)
+        EXPECT_LE(script.find('\'', at + 11) - at, 170u);
+    EXPECT_EQ(lines, 2u);
+}
+
+TEST(ChartScript, ALegendGrowsTheFigureInsteadOfCoveringIt) {
+    Chart chart = side_by_side(false);
     const std::string one = chart_script(chart);
-    EXPECT_TRUE(has(one, "0 30 -0.4 0.4 1 30\n"));
     for (int i = 0; i < 9; ++i)
         chart.curves.push_back({"a curve with quite a long name", Ink::green, Stroke::solid, {{0, 5}}, Form::bars});
     const auto height = [](const std::string& script) {

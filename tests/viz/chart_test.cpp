@@ -1,10 +1,15 @@
 // Charts as data: axes, bars, tables.
 #include "viz/chart.h"
 
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/viz/colour_vision.h"
 #include "viz/chart_axis.h"
 #include "viz/chart_csv.h"
+#include "viz/chart_labels.h"
+#include "viz/chart_palette.h"
 
 namespace kd {
 namespace {
@@ -36,6 +41,82 @@ TEST(Chart, BarsOfATickStandSideBySideAndKeepApartFromTheNext) {
     EXPECT_DOUBLE_EQ(a.high, b.low);
     EXPECT_DOUBLE_EQ(b.high, 0.4);
     EXPECT_GT(next.low, b.high);
+}
+
+TEST(Chart, OnlyALinearAxisHasBars) {
+    Chart chart = bars();
+    EXPECT_TRUE(drawn_as_bars(chart, chart.curves[0]));
+    EXPECT_FALSE(drawn_as_bars(chart, chart.curves[1]));
+    chart.y.logarithmic = true;
+    EXPECT_FALSE(drawn_as_bars(chart, chart.curves[0]));
+    EXPECT_DOUBLE_EQ(mark_x(chart, 0, chart.curves[0].points[1]), 0.8) << "side by side all the same";
+    EXPECT_DOUBLE_EQ(mark_x(chart, 1, chart.curves[1].points[0]), 0);
+    EXPECT_DOUBLE_EQ(mark_x(chart, 2, chart.curves[2].points[0]), 0.2);
+}
+
+TEST(Chart, HeadingsHaveNoBracketsOfTheirOwn) {
+    Chart chart;
+    chart.title = "Figure 11: occluded";
+    chart.y.label = "ms per frame (log)";
+    EXPECT_EQ(heading_of(chart), "Figure 11: occluded – ms per frame (log)");
+}
+
+/// Marks at `x` in a plane of 100 x 100 pixels, all at half its height, each with the label "ab".
+Chart labelled(const std::vector<double>& x) {
+    Chart chart;
+    chart.x = {"", false, 0, 100, {}};
+    chart.y = {"", false, 0, 100, {}};
+    ChartCurve curve{"c"};
+    curve.form = Form::points;
+    for (const double at : x) curve.points.push_back({.x = at, .y = 50, .label = "ab"});
+    chart.curves = {curve};
+    return chart;
+}
+
+constexpr LabelSizes sizes{100, 100, 5, 8, 3};
+
+TEST(ChartLabels, StandAboveOnTheRightWhereThatIsFree) {
+    const auto placed = place_labels(labelled({50}), sizes);
+    ASSERT_EQ(placed.size(), 1u);
+    EXPECT_DOUBLE_EQ(placed[0].dx, 3 + 5);
+    EXPECT_DOUBLE_EQ(placed[0].dy, 3 + 4);
+}
+
+TEST(ChartLabels, NeverLieUponEachOtherOrUponMarks) {
+    const Chart chart = labelled({50, 51, 53, 58, 60, 61, 75});
+    const auto placed = place_labels(chart, sizes);
+    EXPECT_GE(placed.size(), 4u);
+    EXPECT_LT(placed.size(), 7u) << "there is no room for all";
+    const auto at = [&](const PlacedLabel& l) { return chart.curves[l.curve].points[l.point].x + l.dx; };
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_TRUE(std::abs(at(placed[i]) - at(placed[k])) >= 10 - 0.01 ||
+                        std::abs(placed[i].dy - placed[k].dy) >= 8 - 0.01)
+                << i << ' ' << k;
+        for (const ChartPoint& mark : chart.curves[0].points)
+            EXPECT_TRUE(std::abs(at(placed[i]) - mark.x) >= 8 - 0.01 || std::abs(placed[i].dy) >= 7 - 0.01) << i;
+    }
+}
+
+/// As CIE76 sees them, with and without green cones.
+TEST(ChartPalette, InksAreToldApartOnEachGroundAndStandOutFromIt) {
+    constexpr std::array inks{Ink::cpu, Ink::gpu,    Ink::reference, Ink::green,
+                              Ink::red, Ink::purple, Ink::blue,      Ink::grey};
+    for (const auto& [on, ground] : {std::pair(Ground::white, Rgba8{255, 255, 255}), {Ground::dark, Rgba8{19, 19, 22}}})
+        for (std::size_t i = 0; i < inks.size(); ++i) {
+            EXPECT_GT(test::least_difference(colour_of(inks[i], on), ground), 35) << i;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_GT(test::least_difference(colour_of(inks[i], on), colour_of(inks[k], on)), 12) << i << ' ' << k;
+        }
+    for (const Ink ink : {Ink::cpu, Ink::gpu, Ink::green, Ink::red, Ink::purple, Ink::blue, Ink::grey})
+        EXPECT_EQ(colour_of(ink, Ground::white), colour_of(ink, Ground::dark)) << "the same curve has the same colour";
+}
+
+TEST(Csv, RowsTakeAnyValues) {
+    EXPECT_EQ(csv_row("a, b", 1, 0.25, true, false, std::optional<double>(), std::optional(7), std::string("c")),
+              "\"a, b\",1,0.25,1,0,,7,c\n");
+    EXPECT_EQ(csv_line({}), "\n");
+    EXPECT_EQ(csv_comments({"one", "two\nlines"}), "# one\n# two lines\n");
 }
 
 TEST(Chart, AxesFitTheirValuesWithWhiskers) {

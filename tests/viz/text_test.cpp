@@ -128,6 +128,8 @@ TEST(Wrap, BreaksAtSpacesAndInsideLongWords) {
     EXPECT_EQ(wrap_text(font, "abcdefghij", 13, 24), (std::vector<std::string>{"abcd", "efgh", "ij"}));
     EXPECT_EQ(wrap_text(font, "abc", 13, 1), (std::vector<std::string>{"a", "b", "c"}));
     EXPECT_TRUE(wrap_text(font, "", 13, 60).empty());
+    EXPECT_EQ(wrap_text("one two – three", 9), (std::vector<std::string>{"one two –", "three"}))
+        << "letters, not bytes";
     for (const std::string& line : wrap_text(font, "the quick brown fox jumps over the lazy dog", 13, 70)) {
         EXPECT_LE(font.width(line, 13), 70.0f) << line;
     }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "renderer/geometry/order_statistics.h"
 #include "renderer/scene/random.h"
 
 namespace kd {
@@ -26,7 +27,7 @@ Interval over_draws(const SquaredErrors& sets, std::uint64_t seed,
         values.push_back(statistic(drawn));
     }
     std::ranges::sort(values);
-    return {values[std::size_t(0.025 * draws)], values[std::size_t(0.975 * draws)]};
+    return {quantile(values, 0.025), quantile(values, 0.975)};
 }
 
 double root_mean(const SquaredErrors& sets, std::size_t column) {

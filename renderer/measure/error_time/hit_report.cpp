@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "renderer/geometry/order_statistics.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/error_time/ranking.h"
 #include "renderer/measure/stability/stability.h"
@@ -14,8 +15,6 @@
 namespace kd {
 
 namespace {
-
-constexpr int least_rounds = 3, most_rounds = 9;
 
 struct Stopped {};
 
@@ -87,13 +86,9 @@ class Stage {
 
     static void summarise_ulps(std::vector<double>& ulps, HitRow& row) {
         if (ulps.empty()) return;
-        std::ranges::sort(ulps);
-        const auto at = [&](double share) {
-            return ulps[std::min(ulps.size() - 1, std::size_t(share * double(ulps.size())))];
-        };
-        row.ulp_p50 = at(0.5);
-        row.ulp_p999 = at(0.999);
-        row.ulp_most = ulps.back();
+        row.ulp_p50 = percentile(ulps, 0.5);
+        row.ulp_p999 = percentile(ulps, 0.999);
+        row.ulp_most = std::ranges::max(ulps);
     }
 
     FlatScene scene_;
@@ -123,8 +118,9 @@ std::vector<HitRow> measure(const HitFamily& family, const HitTask& task, const 
                                        wall_ms([&] { walk_rays(stage.scene(), method, stage.rays(), answers); })};
                                }});
     }
-    const auto round_done = [&](int rounds, const auto&) { progress(float(rounds) / float(most_rounds)); };
-    const auto times = time_in_turn(contestants, {0, most_rounds, task.seconds_per_family, least_rounds}, round_done);
+    const TimingPlan plan = rounds_within(task.seconds_per_family, 0);
+    const auto round_done = [&](int rounds, const auto&) { progress(float(rounds) / float(plan.rounds)); };
+    const auto times = time_in_turn(contestants, plan, round_done);
     const double ns = 1e6 / double(std::max<std::size_t>(stage.rays().size(), 1));
     std::vector<TimeAndError> all;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -132,6 +128,7 @@ std::vector<HitRow> measure(const HitFamily& family, const HitTask& task, const 
         rows[i].ns = ns * time.median_ms;
         rows[i].quartiles = {ns * time.p25_ms, ns * time.p75_ms};
         rows[i].rounds = time.samples;
+        rows[i].of_first = ratio_interval(times[i].ms(), times.front().ms());
         all.push_back({rows[i].ns, rows[i].per_million()});
     }
     const std::vector<bool> front = pareto_front(all);

@@ -10,6 +10,7 @@
 #include "renderer/measure/error_time/fit.h"
 #include "renderer/measure/error_time/walks.h"
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
 
@@ -30,7 +31,8 @@ struct HitRow {
     double ns = 0;                                      // per ray, median over the rounds
     Interval quartiles;
     int rounds = 0;
-    bool on_front = false;  // of the faults of its family
+    MedianInterval of_first;  // time over that of the family's first row, round by round
+    bool on_front = false;    // of the faults of its family
 
     [[nodiscard]] double per_million() const { return n > 0 ? 1e6 * double(missed + wrong) / double(n) : 0; }
 };
@@ -43,7 +45,7 @@ struct HitReport {
 
 struct HitTask {
     std::size_t rays = 20000;       // per family, at most
-    double seconds_per_family = 8;  // of timing; at least three rounds all the same
+    double seconds_per_family = 8;  // of timing; at least six rounds all the same
     int threads = 0;                // of the oracle; what is timed runs on one
     unsigned seed = 1;
 };

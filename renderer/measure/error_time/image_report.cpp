@@ -50,7 +50,7 @@ class ImageRun {
         reference_ = &reference.mean;
         const Flip flip(reference.mean);
         flip_ = &flip;
-        const std::vector<TimeSummary> frames = time_frames();
+        const std::vector<TimedRounds> frames = time_frames();
         for (const Sampler sampler : samplers) measure_sampler(sampler, frames, report);
         mark_front(report);
     }
@@ -63,7 +63,7 @@ class ImageRun {
         if (progress_) progress_(fraction, what);
     }
 
-    [[nodiscard]] std::vector<TimeSummary> time_frames() {
+    [[nodiscard]] std::vector<TimedRounds> time_frames() {
         std::vector<Contestant> contestants;
         for (const ImageMethod& method : task_.methods)
             contestants.push_back({method.machine, [&, this] {
@@ -71,20 +71,24 @@ class ImageRun {
                                        tell(0.4f, "frames of all methods in turn");
                                        return TimeSample{method.trace(camera_, colour_)};
                                    }});
-        std::vector<TimeSummary> frames;
-        for (const TimedRounds& timed : time_in_turn(contestants, {1, 31, task_.frame_seconds, 5}))
-            frames.push_back(timed.total());
-        return frames;
+        return time_in_turn(contestants, rounds_within(task_.frame_seconds));
     }
 
-    void measure_sampler(Sampler sampler, const std::vector<TimeSummary>& frames, ImageReport& report) {
+    void measure_sampler(Sampler sampler, const std::vector<TimedRounds>& frames, ImageReport& report) {
         const int sets = sampler == Sampler::regular ? 1 : task_.plan.sets;
         std::vector<SetErrors> further;
         for (int set = 1; set < sets; ++set) further.push_back(trace_set(task_.methods.front(), sampler, set));
         std::vector<double> first_rmse;
         for (std::size_t m = 0; m < task_.methods.size(); ++m) {
             const ImageMethod& method = task_.methods[m];
-            ImageCurve curve{sampler, method.machine, method.traversal, method.clock, frames[m], {}, {}, 0};
+            ImageCurve curve{.sampler = sampler,
+                             .machine = method.machine,
+                             .traversal = method.traversal,
+                             .clock = method.clock,
+                             .frame = frames[m].total(),
+                             .of_first = ratio_interval(frames[m].ms(), frames.front().ms()),
+                             .points = {},
+                             .fit = {}};
             std::vector<SetErrors> all{trace_set(method, sampler, 0)};
             all.insert(all.end(), further.begin(), further.end());
             fill(curve, all);

@@ -11,6 +11,7 @@
 #include "renderer/measure/error_time/fit.h"
 #include "renderer/measure/error_time/sampling.h"
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 #include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/trace_config.h"
@@ -53,7 +54,8 @@ struct ImagePoint {
 struct ImageCurve {
     Sampler sampler = Sampler::regular;
     std::string machine, traversal, clock;
-    TimeSummary frame;  // ms
+    TimeSummary frame;        // ms
+    MedianInterval of_first;  // a frame's time over that of the first method's, round by round
     std::vector<ImagePoint> points;
     PowerFit fit;          // of rmse over samples
     double worst_gap = 0;  // largest difference of own_rmse from the first method's, which must be rounding
@@ -74,7 +76,7 @@ struct ImageTask {
     std::vector<ImageMethod> methods;  // the first traces the further sets as well: let it be the quickest
     int threads = 0;
     unsigned seed = 1;
-    double frame_seconds = 5;  // of timing frames, all methods in turn; at least five rounds all the same
+    double frame_seconds = 5;  // of timing frames, all methods in turn; at least six rounds all the same
 };
 
 /// `progress` gets the fraction done and what runs. Incomplete where stopped.

@@ -6,7 +6,6 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/error_time/lines.h"
 #include "renderer/measure/error_time/ranking.h"
-#include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -14,7 +13,6 @@ namespace kd {
 namespace {
 
 constexpr std::array leaf_sizes{1, 2, 8};
-constexpr int least_rounds = 6, most_rounds = 31;
 constexpr std::string_view best_builder = "exact";
 
 struct Stopped {};
@@ -81,7 +79,7 @@ class TreeRun {
                                        return TimeSample{1e3 * again.seconds};
                                    }});
         }
-        const auto timed = time_in_turn(contestants, {1, most_rounds, task_.build_seconds, least_rounds});
+        const auto timed = time_in_turn(contestants, rounds_within(task_.build_seconds));
         for (std::size_t i = 0; i < timed.size(); ++i) report_.rows[i].build = timed[i].total();
     }
 
@@ -122,10 +120,11 @@ class TreeRun {
                                        return TimeSample{wall_ms(
                                            [&] { tracer.trace_frame(plain, camera, frame, task_.threads, stop_); })};
                                    }});
-        const auto round_done = [this](int rounds, const auto&) {
-            tell(0.6f + 0.4f * float(rounds) / float(most_rounds), "frames of all trees in turn");
+        const TimingPlan plan = rounds_within(task_.frame_seconds);
+        const auto round_done = [&](int rounds, const auto&) {
+            tell(0.6f + 0.4f * float(rounds) / float(plan.rounds), "frames of all trees in turn");
         };
-        const auto timed = time_in_turn(contestants, {1, most_rounds, task_.frame_seconds, least_rounds}, round_done);
+        const auto timed = time_in_turn(contestants, plan, round_done);
         for (std::size_t i = 0; i < timed.size(); ++i) {
             report_.rows[i].frame = timed[i].total();
             frame_samples_.push_back(timed[i].ms());
@@ -148,12 +147,9 @@ class TreeRun {
         for (std::size_t i = 0; i < report_.rows.size(); ++i) {
             TreeRow& row = report_.rows[i];
             row.sah_ratio = ratio(row.stats.sah_cost, best.stats.sah_cost);
-            const MedianInterval frames = ratio_interval(frame_samples_[i], frame_samples_[report_.reference]);
-            row.frame_ratio = frames.median;
-            row.frame_ratio_interval = {frames.low, frames.high};
-            if (row.frame_ratio_interval.low > 1)
-                row.break_even_frames =
-                    break_even(row.build.median_ms, row.frame.median_ms, best.build.median_ms, best.frame.median_ms);
+            row.frame_ratio = ratio_interval(frame_samples_[i], frame_samples_[report_.reference]);
+            row.break_even_frames =
+                break_even(row.build.median_ms, best.build.median_ms, best.frame.median_ms, row.frame_ratio);
             all.push_back({row.build.median_ms, row.frame.median_ms});
         }
         const std::vector<bool> front = pareto_front(all);
@@ -197,9 +193,9 @@ double TreeRow::line_test_ratio() const {
     return ratio(lines.tests / double(std::max<std::int64_t>(lines.rays, 1)), stats.expected_triangle_tests);
 }
 
-std::optional<double> break_even(double build_a, double frame_a, double build_b, double frame_b) {
-    if (!(frame_b < frame_a)) return std::nullopt;
-    return std::max(0.0, (build_b - build_a) / (frame_a - frame_b));
+std::optional<double> break_even(double build_a, double build_b, double frame_b, const MedianInterval& ratio) {
+    if (verdict_of(ratio) != RatioVerdict::above) return std::nullopt;
+    return std::max(0.0, (build_b - build_a) / (frame_b * (ratio.median - 1)));
 }
 
 TreeReport report_trees(const TreeTask& task, const std::function<void(float, const std::string&)>& progress,

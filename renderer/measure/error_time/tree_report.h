@@ -14,6 +14,7 @@
 #include "renderer/measure/error_time/walks.h"
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
 
@@ -40,10 +41,9 @@ struct TreeRow {
     bool cap_hit = false;
 
     // Against the reference:
-    double sah_ratio = 1, frame_ratio = 1;
-    Interval frame_ratio_interval{1, 1};  // 95 %, of ratios taken round by round
-    /// Frames after which the reference's longer build has paid; none where it never does, or where the interval of
-    /// the ratio holds 1, so that no difference is seen.
+    double sah_ratio = 1;
+    MedianInterval frame_ratio = exactly(1);  // of ratios taken round by round
+    /// Frames after which the reference's longer build has paid; none where the interval of the ratio does not lie above 1.
     std::optional<double> break_even_frames;
     bool on_front = false;  // of build time and frame time
 
@@ -71,8 +71,10 @@ struct TreeReport {
                                       const std::function<void(float, const std::string&)>& progress = {},
                                       std::stop_token stop = {});
 
-/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit: from so many frames on the tree b, slower to build, is
-/// the better choice. None where b's frames are no quicker; 0 where b is no slower to build.
-[[nodiscard]] std::optional<double> break_even(double build_a, double frame_a, double build_b, double frame_b);
+/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit, with frame_a = frame_b * ratio: from so many frames on
+/// the tree b, slower to build, is the better choice. The ratio is that of the rounds, since medians of two rows of times may
+/// stand the other way round. None where its interval does not lie above 1; 0 where b is no slower to build.
+[[nodiscard]] std::optional<double> break_even(double build_a, double build_b, double frame_b,
+                                               const MedianInterval& ratio);
 
 }  // namespace kd

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "renderer/geometry/input_error.h"
+#include "renderer/geometry/order_statistics.h"
 #include "renderer/measure/ray_machine.h"
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep_judge.h"
@@ -30,9 +31,8 @@ class Tally {
     void finish() {
         row_.upper95 = upper_bound_95(row_.missed + row_.wrong, row_.n);
         if (ulps_.empty()) return;
-        std::ranges::sort(ulps_);
-        row_.worst_ulp = ulps_.back();
-        row_.p99_ulp = ulps_[std::min(ulps_.size() - 1, std::size_t(0.99 * double(ulps_.size())))];
+        row_.worst_ulp = std::ranges::max(ulps_);
+        row_.p99_ulp = percentile(ulps_, 0.99);
     }
 
   private:

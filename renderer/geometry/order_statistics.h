@@ -1,11 +1,20 @@
-// Order statistics.
+// Order statistics: between values, or one of them.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace kd {
+
+/// Quantile `q` (0..1) of ascending values, linear between them; at least one value.
+[[nodiscard]] inline double quantile(std::span<const double> ascending, double q) {
+    const double position = q * double(ascending.size() - 1);
+    const auto below = std::size_t(position);
+    const auto above = std::min(below + 1, ascending.size() - 1);
+    return std::lerp(ascending[below], ascending[above], position - double(below));
+}
 
 /// The least value that at least the fraction `q` (0..1) of `values` does not exceed (nearest rank). Reorders `values`,
 /// which must not be empty nor hold NaN.
