@@ -61,7 +61,7 @@ Chart convergence_chart(const ConvergenceState& state) {
     Chart chart;
     chart.title = "Error of the sampled picture";
     chart.x.label = "seconds of tracing";
-    chart.y.label = "RMSE, estimated from two half-buffers";
+    chart.y.label = "RMSE, estimated";
     for (std::size_t i = 0; i < state.curves.size(); ++i) {
         const ConvergenceCurve& of = state.curves[i];
         if (of.points.empty()) continue;
