@@ -86,14 +86,9 @@ WindowMemory WindowLoop::memory() const {
 
 bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 
-bool WindowLoop::shows_progress() const {
-    const EngineState& state = engine_->state();
-    return state.stability.active || state.needs.active || edit_.exporting.active;
-}
-
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
-    const bool working = state.working() || state.stale() || shows_progress();
+    const bool working = state.working() || state.stale() || state.stability.active || edit_.exporting.active;
     if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
@@ -112,7 +107,9 @@ void WindowLoop::run(const std::stop_token& stop) {
             continue;
         }
         const EngineState& state = engine_->state();
-        const bool moving = state.working() || shows_progress() || !state.messages.empty();
+        // A measurement's bar moves too, four times a second: drawn as often as others it would take from what is measured.
+        const bool moving = state.working() || state.stability.active || state.needs.active ||
+                            !state.messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) {
             const double begun = engine_->now();
             draw_frame();

@@ -62,8 +62,6 @@ class WindowLoop {
     void fetch_exports();
     [[nodiscard]] Image<Rgba8> read_window() const;
     [[nodiscard]] bool resting() const;
-    /// A bar moves of work that takes a while beside the picture.
-    [[nodiscard]] bool shows_progress() const;
 
     GlfwWindow& window_;
     GlApi gl_;
