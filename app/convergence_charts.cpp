@@ -70,7 +70,7 @@ Chart convergence_chart(const ConvergenceState& state) {
     Chart chart;
     chart.title = "Error of the sampled picture";
     chart.x.label = "seconds of tracing";
-    chart.y.label = "RMSE, estimated from two half-buffers";
+    chart.y.label = "RMSE, estimated";
     for (const ConvergenceCurve& of : state.curves) {
         if (of.points.empty()) continue;
         ChartCurve curve{of.name()};

@@ -15,7 +15,8 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::form
 
 ChartCurve curve_of(const DivergenceReport& report, const ScheduleInfo& schedule) {
     constexpr Stroke strokes[] = {Stroke::dotted, Stroke::dashed, Stroke::solid};
-    ChartCurve curve{std::string(schedule.name), Ink::gpu, strokes[std::size_t(schedule.id)]};
+    // Computed from walks, whichever machine made the picture: no machine's colour.
+    ChartCurve curve{std::string(schedule.name), Ink::reference, strokes[std::size_t(schedule.id)]};
     for (const DivergencePoint& point : report.points) {
         const EfficiencySummary& e = point.by_schedule[std::size_t(schedule.id)];
         if (e.groups == 0) continue;

@@ -68,6 +68,7 @@ void Engine::set_session(const Session& wanted) {
     state_.session = next;
     ++state_.generation;
     const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
+    if (scene_changed && !state_.loading.active) camera_before_load_ = before.camera;
     if (scene_changed)
         start_load();
     else if (next.build != before.build)

@@ -111,6 +111,7 @@ class Engine {
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     EngineState state_;
     std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
+    std::optional<Camera> camera_before_load_;  // of the scene that a refused one gives way to
     TracedFrame traced_;                        // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
     std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame

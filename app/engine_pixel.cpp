@@ -1,8 +1,11 @@
 #include "app/engine_pixel.h"
 
+#include <algorithm>
+
 #include "app/engine_state.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/scene/units.h"
+#include "renderer/trace/wrong_places.h"
 
 namespace kd {
 
@@ -34,13 +37,19 @@ std::optional<OracleReading> read_oracle(const TracedFrame& traced, PixelPositio
     return OracleReading{layer.rays, judged, to_scene_units(scene, *ray)};
 }
 
-std::optional<PixelPosition> next_wrong_pixel(const JudgedLayer& judged, std::optional<PixelPosition> from,
+std::optional<PixelPosition> next_wrong_place(const JudgedLayer& judged, std::optional<PixelPosition> from,
                                               bool backwards) {
     std::optional<std::size_t> index;
     if (from && judged.hits.contains(from->x, from->y)) index = judged.hits.index(from->x, from->y);
-    const auto found = judged.next_wrong(index, backwards);
+    const auto found = next_place(judged, index, backwards);
     if (!found) return std::nullopt;
     return PixelPosition{int(*found % std::size_t(judged.hits.width)), int(*found / std::size_t(judged.hits.width))};
+}
+
+int place_number(const JudgedLayer& judged, PixelPosition pixel) {
+    if (!judged.hits.contains(pixel.x, pixel.y)) return 0;
+    const auto found = std::ranges::find(judged.places, judged.hits.index(pixel.x, pixel.y));
+    return found == judged.places.end() ? 0 : int(found - judged.places.begin()) + 1;
 }
 
 }  // namespace kd

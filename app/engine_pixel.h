@@ -43,10 +43,11 @@ struct TracedFrame;
 /// What `traced`, if it was judged whole, says of a pixel of its frame.
 [[nodiscard]] std::optional<OracleReading> read_oracle(const TracedFrame& traced, PixelPosition pixel);
 
-/// The wrong pixel after `from` in reading order, or before it, going round; the first or last without `from`. Nothing
-/// where none is known to be wrong.
-[[nodiscard]] std::optional<PixelPosition> next_wrong_pixel(const JudgedLayer& judged,
+/// The next place where rays go wrong, seen from a pixel (renderer/trace/wrong_places.h): worst first, round and round.
+[[nodiscard]] std::optional<PixelPosition> next_wrong_place(const JudgedLayer& judged,
                                                             std::optional<PixelPosition> from, bool backwards);
+/// Which of the places a pixel is, from 1; 0 where it is none.
+[[nodiscard]] int place_number(const JudgedLayer& judged, PixelPosition pixel);
 
 /// Nothing where the pixel lies outside. `scale` is that of the frame, a preview where above 1.
 [[nodiscard]] std::optional<PixelReading> read_pixel(const Frame& frame, PixelPosition pixel, int scale);

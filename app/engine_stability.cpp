@@ -20,7 +20,12 @@ void StabilityBench::start(const std::string& id, bool sweeping, BackgroundRun::
 void StabilityBench::run_case(const StabilityConfig& config) {
     const std::string id = config.cases.front();
     start(id, false, [this, config, id](const std::stop_token& stop, const BackgroundRun::Post& post) {
-        const auto progress = [&](float, const std::string& what) { post([this, what] { state_.what = what; }); };
+        const auto progress = [&](float fraction, const std::string& what) {
+            post([this, fraction, what] {
+                state_.fraction = fraction;
+                state_.what = what;
+            });
+        };
         const auto report = std::make_shared<const StabilityReport>(kd::run_stability(config, progress, stop));
         post([this, id, report] {
             if (report->complete) state_.verdicts[id] = report;

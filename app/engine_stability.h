@@ -16,7 +16,7 @@ namespace kd {
 struct StabilityState {
     bool active = false, sweeping = false;
     std::string id;      // of what runs
-    float fraction = 0;  // 0..1 of a sweep; a case does not tell
+    float fraction = 0;  // 0..1
     std::string what;
     std::string error;  // why the last run came to nothing
     std::map<std::string, std::shared_ptr<const StabilityReport>> verdicts;

@@ -34,6 +34,7 @@ void Engine::start_load() {
     const unsigned seed = state_.session.seed;
     builder_.cancel();
     state_.building = {};
+    state_.refused.reset();
     if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
         loader_.cancel();
         state_.loading = {};
@@ -69,14 +70,17 @@ void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
 }
 
 void Engine::fail_load(const std::string& why) {
+    const RefusedScene refused{state_.session.scene, why};
     state_.loading = {};
     say(true, why);
-    if (!state_.world) return;
-    // The scene before it is still there.
-    Session back = state_.session;
-    back.scene = state_.world->loaded->name;
-    back.seed = state_.world->loaded->seed;
-    set_session(back);
+    if (state_.world) {  // the scene before it is still there
+        Session back = state_.session;
+        back.scene = state_.world->loaded->name;
+        back.seed = state_.world->loaded->seed;
+        back.camera = camera_before_load_;
+        set_session(back);
+    }
+    state_.refused = refused;
 }
 
 void Engine::start_build() {

@@ -35,11 +35,11 @@ struct TracedFrame {
     PinholeCamera lens;  // that its rays come from: a preview's is that of the whole picture, whatever its own shape
     TraceConfig config;
     TracerKind tracer = TracerKind::cpu;
-    int scale = 1;      // 1 = every pixel of the picture, 8 = one of 8x8: a preview
-    FrameTime time;     // of tracing alone
-    std::string clock;  // that the time was read from
-    SceneNeeds needs;   // which passes and parts ran
-    std::vector<std::string> left_out;
+    int scale = 1;                                    // 1 = every pixel of the picture, 8 = one of 8x8: a preview
+    FrameTime time;                                   // of tracing alone
+    std::string clock;                                // that the time was read from
+    SceneNeeds needs;                                 // which passes and parts ran
+    std::vector<std::string> left_out;                // a line for each part that this tracer did without
     std::uint64_t generation = 0;                     // EngineState::generation that it answers
     UnfinishedPixels unfinished;                      // of the frame's own pixels
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
@@ -84,6 +84,11 @@ struct Message {
     bool stays = false;  // until it is dismissed
 };
 
+/// A scene that was asked for and could not be had.
+struct RefusedScene {
+    std::string name, why;
+};
+
 /// The GPU side as it was found.
 struct GlStatus {
     bool known = false;    // opened, or found to be missing
@@ -115,6 +120,7 @@ struct EngineState {
     Progress loading, building, tracing;
     Progress judging;  // making what a map needs beside the frame: its hits judged, its walks in groups
     std::string loading_name;
+    std::optional<RefusedScene> refused;  // the newest wish for a scene, where nothing came of it
     GlStatus gl;
     DuelState duel;
     NeedsTiming needs;

@@ -122,7 +122,8 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
     FrameSource& machine = source(request.tracer);
     const FrameTask task = task_of(request);
     const SceneNeeds needs = scene_needs(request.world->facts, request.config);
-    const std::vector<std::string> omitted = left_out(request.world->facts, request.config);
+    const std::vector<std::string> omitted =
+        left_out(request.world->facts, request.config, request.tracer == TracerKind::cpu);
 
     const int first = plan_.first(request.width, request.height);
     for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {

@@ -28,7 +28,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     check_stop(context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.facts = scene_facts(r.scene, r.tree);
-    r.left_out = left_out(r.facts, s.trace);
+    r.left_out = left_out(r.facts, s.trace, s.tracer == TracerKind::cpu);
     for (const FeatureInfo& feature : features())
         if (const FeatureNeed need = feature.need(r.facts, s.trace); s.trace.forced.has(feature.id) && !need.can_return)
             context.err << fmt::format("kdscope: note: --force {} has no effect: {}\n", feature.name, need.why);

@@ -31,7 +31,7 @@ struct Rendering {
     std::string renderer, clock;
     bool software_gl = false;
     MeasuredOn on;
-    std::vector<std::string> left_out;  // what scene and settings do not need
+    std::vector<std::string> left_out;  // of what the tracer could do, what scene and settings do not need
 };
 
 /// Of a command: what only gl-fragment asks.

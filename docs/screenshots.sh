@@ -175,7 +175,7 @@ panel_pictures() {
     open ball:9000 --traversal restart
     sleep 3
     rounds 1
-    xdotool mousemove 200 1000
+    xdotool mousemove 340 860
     shoot panel-time
     stop_window
 }

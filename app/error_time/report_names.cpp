@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <fmt/format.h>
 #include <functional>
 #include <tuple>
 
+#include "app/output_file.h"
+
 namespace kd {
 
 namespace {
-
-std::string file_stem(const std::string& scene) {
-    std::string stem = std::filesystem::path(scene).filename().string();
-    for (char& c : stem)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
-    return stem;
-}
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/divergence_chart.h"
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/window/chart.h"
 #include "app/window/places.h"
@@ -122,20 +123,23 @@ void draw_divergence_panel(const EngineState& state, Edit& edit) {
         ImGui::PushFont(theme::font(theme::Type::heading));
         ImGui::TextUnformatted("Efficiency against width");
         ImGui::PopFont();
-        draw_work(widths);
-        if (widths.report) draw_facts(*widths.report);
+        // Above what comes and goes, so that it stays where it is.
         if (widgets::button("times", "CPU and GPU in turn at the bottom again.", true, theme::px(84)))
             edit.window.bottom = "TIME";
+        draw_work(widths);
+        if (widths.report) draw_facts(*widths.report);
     });
     if (!widths.report) return;
     ImGui::SameLine(0, gap);
     column("table", theme::px(296), [&] { draw_table(*widths.report, edit); });
     ImGui::SameLine(0, gap);
     column("chart", 0, [&] {
+        const std::string absent = why_absent(state, edit.session.trace, widths.report->rays);
         if (widths.report->steps > 0)
             draw_chart(*widths.report, edit);
         else
-            widgets::note("There are no such rays in this picture.");
+            widgets::note(absent.empty() ? "There are no such rays in this picture."
+                                         : fmt::format("There are no such rays: {}.", absent));
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/engine.h"
 #include "app/window/camera_moves.h"
+#include "app/window/home_path.h"
 #include "renderer/measure/stability/stress_scene.h"
 #include "renderer/trace/traversal.h"
 #include "viz/colormap.h"
@@ -103,6 +104,26 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.window.pinned.reset();
 }
 
+void open_typed(Edit& edit) {
+    WindowSettings& window = edit.window;
+    if (window.scene_text.empty()) return;
+    window.scene_asked = home_long(window.scene_text).string();
+    if (edit.session.scene != window.scene_asked) choose_scene(edit, window.scene_asked);
+}
+
+void settle_typed(const EngineState& state, Edit& edit) {
+    WindowSettings& window = edit.window;
+    const bool there = state.world && !state.loading.active && state.world->loaded->name == window.scene_asked;
+    if (!there) return;
+    if (home_long(window.scene_text).string() == window.scene_asked) window.scene_text.clear();
+    window.scene_asked.clear();
+}
+
+std::string why_refused(const EngineState& state, const Edit& edit) {
+    const bool typed = state.refused && state.refused->name == edit.window.scene_asked;
+    return typed ? state.refused->why : "";
+}
+
 void switch_bottom(Edit& edit, const std::string& panel) {
     std::string& bottom = edit.window.bottom;
     bottom = bottom == panel ? "TIME" : panel;
@@ -136,9 +157,14 @@ void show_stress(Edit& edit, const std::string& scene) {
     if (edit.session.scene != scene) choose_scene(edit, scene);
 }
 
+bool can_leave_stress(const Edit& edit) {
+    return edit.session.scene.starts_with(stress_prefix) && !edit.window.stability.scene_before.empty();
+}
+
 void leave_stress(Edit& edit) {
+    if (!can_leave_stress(edit)) return;
     const StabilityView& view = edit.window.stability;
-    choose_scene(edit, view.scene_before.empty() ? Session{}.scene : view.scene_before);
+    choose_scene(edit, view.scene_before);
     edit.session.camera = view.camera_before;
 }
 
@@ -210,9 +236,7 @@ void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
         show_oracle(edit);
         return;
     }
-    std::optional<PixelPosition> from = edit.window.pinned;
-    if (!from && state.hovered) from = state.hovered->pixel;
-    if (const auto pixel = next_wrong_pixel(*judged, from, backwards)) edit.window.pinned = *pixel;
+    if (const auto pixel = next_wrong_place(*judged, edit.window.pinned, backwards)) edit.window.pinned = *pixel;
 }
 
 void focus(const EngineState& state, Edit& edit) {

@@ -56,6 +56,7 @@ struct WindowSettings {
     bool beauty = false;                    // was shown before Divergence
     bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
     std::string scene_text;                 // typed into SCENE, not opened yet
+    std::string scene_asked;                // the scene that it stood for when Enter was pressed last
     std::string folder = ".";               // of exported files; "~" stands for the home folder
     float fly_speed = 1;                    // times the scene's size per 4 seconds
     std::vector<std::string> recent_files;  // scenes opened from files, newest first
@@ -95,6 +96,7 @@ struct Edit {
     std::vector<Action> actions;
     std::optional<PixelPosition> hovered;  // under the mouse
     std::string last_export;               // for people: the file written last
+    std::string export_error;              // why the newest one was not; empty where it was
     Exporter::Progress exporting;          // the file being written
 
     void do_once(Action action) { actions.push_back(action); }
@@ -126,10 +128,18 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
+/// Asks for the scene typed into SCENE. The text stays until that scene is there.
+void open_typed(Edit& edit);
+void settle_typed(const EngineState& state, Edit& edit);
+/// Why the scene typed last could not be opened; empty where it could, and once another is asked for.
+[[nodiscard]] std::string why_refused(const EngineState& state, const Edit& edit);
 /// That panel at the bottom, or TIME again.
 void switch_bottom(Edit& edit, const std::string& panel);
 /// A scene of the case chosen in STABILITY; the one before it is kept in mind.
 void show_stress(Edit& edit, const std::string& scene);
+/// True where a case's scene took the place of another.
+[[nodiscard]] bool can_leave_stress(const Edit& edit);
+/// Back to that other one.
 void leave_stress(Edit& edit);
 /// `build` with the rules that the paper's text gives; its costs have no values there.
 [[nodiscard]] BuildConfig papers_rules(BuildConfig build);
@@ -148,7 +158,8 @@ void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
-/// Pins the next pixel that is wrong by the oracle, or the one before; chooses the oracle's map where none was compared.
+/// Pins the next place where pixels are wrong by the oracle, or the one before; chooses the oracle's map where none was
+/// compared.
 void pin_wrong(const EngineState& state, Edit& edit, bool backwards);
 /// Does what is the engine's to do; false where it is not.
 [[nodiscard]] bool carry_out(Action action, const Edit& edit, Engine& engine);

@@ -8,27 +8,31 @@
 #include "app/panels/panel.h"
 #include "app/window/home_path.h"
 #include "app/window/places.h"
+#include "app/window/theme.h"
 #include "app/window/widgets.h"
 
 namespace kd {
 
 void draw_export_panel(const EngineState& state, Edit& edit) {
     const bool ready = state.picture && !state.stale();
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     const auto button = [&](const char* label, Action action, const char* tooltip) {
-        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, half))
+        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, third))
             edit.do_once(action);
     };
     button("figure", Action::export_figure, "PNG with title, legend and a caption that names every setting. Key F12.");
     ImGui::SameLine();
     button("picture", Action::export_picture, "PNG of the picture alone.");
-    button("window", Action::export_window, "PNG of the whole window, with its panels.");
     ImGui::SameLine();
+    button("window", Action::export_window, "PNG of the whole window, with its panels.");
     button("CSV", Action::export_csv, "A row per pixel: hit and every counter of every pass.");
+    ImGui::SameLine();
     button("JSON", Action::export_json, "Settings, tree, times and counter totals.");
     std::error_code error;
     const bool there = std::filesystem::is_directory(home_long(edit.window.folder), error);
-    widgets::heading(there ? "into folder" : "into folder, which will be made");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(there ? "into" : "into new");
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##folder", "folder", &edit.window.folder);
     Places::note("folder");
@@ -36,6 +40,8 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
                   "kdscope-2.png, ...");
     if (edit.exporting.active)
         widgets::progress(edit.exporting.fraction, "writing " + edit.exporting.what);
+    else if (!edit.export_error.empty())
+        widgets::note(edit.export_error, theme::error);
     else if (!edit.last_export.empty())
         widgets::note(edit.last_export);
 }

@@ -115,9 +115,12 @@ void draw_summary(const EngineState& state, const std::vector<NeedRow>& rows, bo
     widgets::value("traced on", cpu ? "CPU" : "GPU", "What can be left out depends on the machine. Key V.");
     widgets::value("needed", fmt::format("{}", count([](const NeedRow& r) { return r.need.needed && !r.gpu_only; })));
     const auto out = count([](const NeedRow& r) { return !r.in_use && !r.gpu_only; });
-    widgets::value("left out", fmt::format("{}", out));
+    widgets::value("left out", fmt::format("{}", out),
+                   cpu ? "Features that the CPU does without. What only the GPU's programs can leave out is not "
+                         "counted: its rows say GPU only."
+                       : "Features that the GPU's passes, programs and tables do without.");
     std::int64_t bytes = 0;
-    for (const NeedRow& row : rows) bytes += row.in_use ? 0 : row.bytes;
+    for (const NeedRow& row : rows) bytes += row.in_use || row.gpu_only ? 0 : row.bytes;
     widgets::value("memory saved", bytes == 0 ? "none" : bytes_text(bytes),
                    "Tables and targets of all that is left out, each counted alone.");
     const bool forced = !edit.session.trace.forced.empty();

@@ -15,7 +15,6 @@ struct Panel {
     PanelPlace place;
     float open_from;  // open at first where the window is at least this high, in pixels at scale 1
     void (*draw)(const EngineState&, Edit&);
-    bool tall = false;      // wants more height than the usual bottom
     const char* hint = "";  // of a bottom panel's tab
 };
 

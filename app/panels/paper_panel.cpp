@@ -46,8 +46,29 @@ void draw_run_buttons(const PaperState& paper, Edit& edit) {
     widgets::note(paper.what);
 }
 
-std::string tally(const std::vector<PaperClaim>& claims, PaperVerdict verdict) {
-    return fmt::format("{}", std::ranges::count(claims, verdict, &PaperClaim::verdict));
+/// "7 · 2 · 1" at the right of the line: how many claims ended how.
+void draw_tallies(const std::vector<PaperClaim>& claims) {
+    struct Tally {
+        PaperVerdict verdict;
+        std::string count;
+    };
+    std::vector<Tally> tallies;
+    const float gap = theme::px(10);
+    float width = 0;
+    for (const PaperVerdict verdict :
+         {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided}) {
+        tallies.push_back({verdict, fmt::format("{}", std::ranges::count(claims, verdict, &PaperClaim::verdict))});
+        width += ImGui::CalcTextSize(tallies.back().count.c_str()).x + gap;
+    }
+    ImGui::SameLine(std::max(0.0f, ImGui::GetContentRegionMax().x - width));
+    for (const Tally& tally : tallies) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tally.verdict));
+        ImGui::TextUnformatted(tally.count.c_str());
+        ImGui::PopStyleColor();
+        widgets::hint(fmt::format("Claims of the paper: {}.", name_of(tally.verdict)));
+        ImGui::SameLine(0, gap);
+    }
+    ImGui::NewLine();
 }
 
 /// What there is to look at: the verdicts, and each figure.
@@ -55,9 +76,7 @@ void draw_list(const PaperReport& report, PaperView& view) {
     if (view.figure.empty() && !report.figures.empty()) view.figure = report.figures.front().name;
     if (ImGui::Selectable("Verdicts", view.verdicts)) view.verdicts = true;
     Places::note("Verdicts");
-    for (const PaperVerdict verdict : {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided})
-        widgets::value(name_of(verdict).data(), tally(report.claims, verdict), "Claims of the paper.",
-                       colour_of(verdict));
+    draw_tallies(report.claims);
     for (const PaperFigure& figure : report.figures) {
         if (ImGui::Selectable(figure.title.c_str(), !view.verdicts && view.figure == figure.name)) {
             view.figure = figure.name;

@@ -2,6 +2,7 @@
 // they are, so that nothing jumps while the mouse comes and goes.
 #include <fmt/format.h>
 
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/panels/verdict_rows.h"
 #include "app/window/theme.h"
@@ -44,11 +45,10 @@ void draw_counters(const PassReading& ray) {
 }
 
 /// Whose walk is read: the map's rays unless one kind is chosen.
-void draw_rays(Edit& edit) {
+void draw_rays(const EngineState& state, Edit& edit) {
     const std::string shown(ray_names[std::size_t(edit.session.view.map.rays)]);
-    std::vector<widgets::Option> options{{"the map's", "Those that VIEW shows: " + shown + "."}};
-    for (std::size_t p = 0; p < pass_count; ++p)
-        options.push_back({std::string(ray_names[p]), fmt::format("Traced by pass {}.", pass_names[p])});
+    std::vector<widgets::Option> options = ray_options(state, edit.session.trace);
+    options.insert(options.begin(), widgets::Option{"the map's", "Those that VIEW shows: " + shown + "."});
     int index = edit.window.pixel_rays ? 1 + int(*edit.window.pixel_rays) : 0;
     if (!widgets::choice("rays", index, options,
                          "Whose numbers stand here. Counters are sums over a pixel's lights or bounces; the hit is the "
@@ -57,11 +57,11 @@ void draw_rays(Edit& edit) {
     edit.window.pixel_rays = index == 0 ? std::nullopt : std::optional(Pass(index - 1));
 }
 
-/// One line for each of the other kinds of rays at this pixel.
-void draw_other_rays(const PixelReading& reading, Pass read) {
+/// One line for each of the other kinds of rays that there are in the picture.
+void draw_other_rays(const EngineState& state, const Edit& edit, const PixelReading& reading, Pass read) {
     widgets::heading("other rays: nodes, tests");
     for (std::size_t p = 0; p < pass_count; ++p) {
-        if (Pass(p) == read) continue;
+        if (Pass(p) == read || !why_absent(state, edit.session.trace, Pass(p)).empty()) continue;
         const PassReading& ray = reading.passes[p];
         const RayCounters& c = ray.counters;
         widgets::value(ray_names[p].data(),
@@ -88,14 +88,17 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const std::optional<PixelReading>& found = state.pinned ? state.pinned : state.hovered;
     const PixelReading reading = found.value_or(PixelReading{});
     draw_position(found, state.pinned.has_value());
-    draw_rays(edit);
+    draw_rays(state, edit);
     const Pass read = rays_read(edit);
     const PassReading& ray = reading.passes[std::size_t(read)];
+    // Close together, so that EXPORT below them is to be seen in a window 720 pixels high.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, theme::px(2)});
     draw_hit(ray);
     draw_verdict(state, edit);
     widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
     draw_counters(ray);
-    draw_other_rays(reading, read);
+    draw_other_rays(state, edit, reading, read);
+    ImGui::PopStyleVar();
     const bool pinned = edit.window.pinned.has_value();
     if (widgets::button("release pixel",
                         pinned ? "Follows the mouse again. Key Esc."

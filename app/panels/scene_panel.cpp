@@ -4,9 +4,10 @@
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>
 
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
-#include "app/window/home_path.h"
 #include "app/window/places.h"
+#include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/scene/units.h"
@@ -27,7 +28,7 @@ bool takes_seed(const std::string& scene) {
 }
 
 /// A field for any scene there is: names with their sizes, files by their paths.
-void draw_open(Edit& edit) {
+void draw_open(const EngineState& state, Edit& edit) {
     ImGui::SetNextItemWidth(-1);
     const bool entered = ImGui::InputTextWithHint("##open", "open: scatter:5000, ~/model.glb", &edit.window.scene_text,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
@@ -35,9 +36,11 @@ void draw_open(Edit& edit) {
     widgets::hint(
         "Enter opens a scene by its name and number of triangles, such as ball:20000 or stress:T16=1e-4, or a "
         ".gltf or .glb file by its path.");
-    if (!entered || edit.window.scene_text.empty()) return;
-    edits::choose_scene(edit, home_long(edit.window.scene_text).string());
-    edit.window.scene_text.clear();
+    if (entered) edits::open_typed(edit);
+    const std::string refused = edits::why_refused(state, edit);
+    if (refused.empty()) return;
+    widgets::note(refused, theme::error);
+    Places::note("refused");
 }
 
 }  // namespace
@@ -47,13 +50,13 @@ void draw_scene_panel(const EngineState& state, Edit& edit) {
         widgets::note("loading");
         return;
     }
-    draw_open(edit);
+    draw_open(state, edit);
     const FlatScene& scene = state.world->scene();
     widgets::value("triangles", number_text(double(scene.triangles.size())), "After placing all meshes in the world.");
     widgets::value("lights", number_text(double(scene.lights.size())), "Each light costs one shadow ray per hit.");
     widgets::value("materials", number_text(double(scene.materials.size())),
                    "A reflective material makes the reflection passes necessary.");
-    if (!scene.textures.empty())
+    if (why_absent(state, edit.session.trace, Feature::textures).empty())
         widgets::value("textures", number_text(double(scene.textures.size())), "Images on surfaces.");
     widgets::value("size", size_text(to_scene_units(scene, scene.bounds)),
                    "Extent of all triangles along x, y and z, in scene units.");

@@ -58,19 +58,19 @@ void draw_list(const EngineState& state, StabilityView& view) {
     ImGui::EndChild();
 }
 
+/// "model.glb" of a path; names of scenes are kept.
+std::string short_name(const std::string& scene) { return scene.substr(scene.find_last_of('/') + 1); }
+
+/// The way back is offered while there is one.
 void draw_scene_buttons(const StabilityCase& info, float width, Edit& edit) {
-    const bool away = edit.session.scene.starts_with(stress_prefix);
-    const std::string& before = edit.window.stability.scene_before;
     if (widgets::button("show scene",
                         "Loads the case's first scene into the picture: every map, traversal and tracer works on it.",
                         true, width))
         edits::show_stress(edit, fmt::format("{}{}", stress_prefix, info.id));
+    if (!edits::can_leave_stress(edit)) return;
     ImGui::SameLine();
-    const std::string label = fmt::format("back to {}", before.empty() ? Session{}.scene : before);
-    const bool back = widgets::button(
-        label.c_str(),
-        away ? "The scene that was shown before, with its camera." : "The picture shows no case's scene now.", away);
-    if (back) edits::leave_stress(edit);
+    const std::string label = "back to " + short_name(edit.window.stability.scene_before);
+    if (widgets::button(label.c_str(), "The scene that was shown before, with its camera.")) edits::leave_stress(edit);
 }
 
 void draw_run_buttons(const EngineState& state, const Sweep* sweep, float width, Edit& edit) {
@@ -104,9 +104,7 @@ void draw_work(const EngineState& state, Edit& edit) {
     if (!work.active) return;
     const float cancel = theme::px(56);
     const float bar = ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x;
-    // A case does not know how far it is; what it is at stands below.
-    const std::string text =
-        work.sweeping ? fmt::format("{} {:.0f} %", work.id, 100 * work.fraction) : work.id + " runs";
+    const std::string text = fmt::format("{} {:.0f} %", work.id, 100 * work.fraction);
     ImGui::ProgressBar(work.fraction, {bar, ImGui::GetFrameHeight()}, text.c_str());
     ImGui::SameLine();
     if (widgets::button("cancel", "Ends the run; what was found so far stays.", true, cancel))
@@ -166,7 +164,7 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
         draw();
         ImGui::EndChild();
     };
-    column("list", theme::px(236), [&] { draw_list(state, view); });
+    column("list", theme::px(200), [&] { draw_list(state, view); });
     ImGui::SameLine(0, gap);
     column("case", theme::px(296), [&] { draw_case(state, info, edit); });
     ImGui::SameLine(0, gap);

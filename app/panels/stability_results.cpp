@@ -109,7 +109,7 @@ void draw_verdicts(const EngineState& state, const StabilityCase& info, Stabilit
         return;
     }
     const StabilityReport& report = *found->second;
-    const float reason = 4 * ImGui::GetTextLineHeightWithSpacing();
+    const float reason = 3 * ImGui::GetTextLineHeightWithSpacing();
     draw_verdict_table(report, ImGui::GetContentRegionAvail().y - reason, view);
     for (const std::string& note : report.notes) widgets::note(note);
     draw_reason(report, view);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/engine_levels.h"
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/window/places.h"
 #include "app/window/plot.h"
@@ -17,7 +18,7 @@ namespace kd {
 namespace {
 
 constexpr const char* none = "–";
-constexpr float tall_from = 200;  // pixels at scale 1
+constexpr float tall_from = 176;  // pixels at scale 1
 
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
@@ -117,16 +118,19 @@ void draw_verdict(const EngineState& state, Edit& edit) {
     draw_size(state, edit);
 }
 
-/// Median of each GPU pass.
-void draw_passes(const DuelState& duel) {
+/// Median of each GPU pass; why not where the scene does without it.
+void draw_passes(const EngineState& state) {
+    const DuelState& duel = state.duel;
     ImGui::BeginGroup();
     for (std::size_t p = 0; p < pass_count; ++p) {
         const bool ran = duel.passes[p].samples > 0;
+        const std::string absent = why_no_pass(state, state.session.trace, Pass(p));
         widgets::value(pass_names[p].data(),
-                       ran                   ? ms_text(duel.passes[p].median_ms)
-                       : duel.gl.samples > 0 ? "left out"
-                                             : none,
-                       "Median time of this pass on the GPU.", ran ? shade(duel, theme::gpu) : theme::dim_text);
+                       !absent.empty() ? "left out"
+                       : ran           ? ms_text(duel.passes[p].median_ms)
+                                       : none,
+                       widgets::tip_of("Median time of this pass on the GPU.", absent),
+                       ran && absent.empty() ? shade(duel, theme::gpu) : theme::dim_text);
     }
     ImGui::EndGroup();
 }
@@ -183,7 +187,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     ImGui::NextColumn();
     draw_verdict(state, edit);
     ImGui::NextColumn();
-    draw_passes(duel);
+    draw_passes(state);
     widgets::check("measure while idle", edit.window.timing, "Times both machines while nobody works with the window.");
     if (tall)
         ImGui::Columns(1);

@@ -1,6 +1,8 @@
 // TRACING: how rays find their way, on which machine, and what this scene does not need.
+#include <algorithm>
 #include <fmt/format.h>
 
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
@@ -71,17 +73,56 @@ void draw_rules(TraceConfig& trace) {
         trace.rules = Rules(index);
 }
 
-/// What the GPU shaded in the frame shown, pass by pass.
-void draw_shaded(const Picture& picture) {
+/// How far rays are mirrored and what is in shadow; greyed out where the scene has nothing to mirror or no light.
+void draw_bounces(const EngineState& state, TraceConfig& trace) {
+    TraceConfig on = trace;
+    on.reflection_depth = std::max(1, trace.reflection_depth);
+    const std::string no_mirror = why_absent(state, on, Feature::reflections);
+    ImGui::BeginDisabled(!no_mirror.empty());
+    widgets::slider("bounces", trace.reflection_depth, 0, 8, "%d",
+                    widgets::tip_of("Reflections that a ray follows (passes RTRefl and ShadeRefl); the paper follows "
+                                    "one. Option --reflection-depth.",
+                                    no_mirror));
+    ImGui::EndDisabled();
+    on = trace;
+    on.shadows = true;
+    const std::string no_light = why_absent(state, on, Feature::shadows);
+    ImGui::BeginDisabled(!no_light.empty());
+    widgets::toggle("shadows", trace.shadows,
+                    widgets::tip_of("One shadow ray per light and hit (pass ShadePrim). Off: every light reaches "
+                                    "everything. Option --no-shadows.",
+                                    no_light));
+    ImGui::EndDisabled();
+}
+
+void draw_least_contribution(const EngineState& state, TraceConfig& trace) {
+    TraceConfig on = trace;
+    on.reflection_depth = std::max(1, trace.reflection_depth);
+    on.least_contribution = 0;
+    const std::string no_mirror = why_absent(state, on, Feature::reflections);
+    ImGui::BeginDisabled(!no_mirror.empty());
+    widgets::slider(
+        "least contribution", trace.least_contribution, 0, 1, "%.4f",
+        widgets::tip_of(
+            "The second way for a path to end: a reflection that would add less than this to every colour (0..1) "
+            "is not followed. 0.004 is one step of 8 bits; 0 follows all bounces. Option --min-contribution.",
+            no_mirror),
+        true);
+    ImGui::EndDisabled();
+}
+
+/// What the GPU shaded in the frame shown, by each pass that the scene needs.
+void draw_shaded(const EngineState& state, const Picture& picture) {
     widgets::heading("pixels shaded by each pass");
     for (std::size_t p = 0; p < pass_count; ++p) {
+        if (!why_no_pass(state, picture.traced.config, Pass(p)).empty()) continue;
         const std::int64_t shaded = picture.traced.time.shaded_pixels[p];
         widgets::value(pass_names[p].data(), shaded >= 0 ? number_text(double(shaded)) : "did not run",
                        "Runs of this pass's shader, counted exactly. Bounces beyond the first add to the last two.");
     }
 }
 
-/// "2 passes; left out: RTRefl, ShadeRefl, textures", with the reasons in the tooltip.
+/// "2 passes; left out: RTRefl, ShadeRefl, textures", with all that the tracer does without, and why, in the tooltip.
 void draw_passes_run(const TracedFrame& traced) {
     const SceneNeeds& needs = traced.needs;
     std::string missing;
@@ -92,7 +133,12 @@ void draw_passes_run(const TracedFrame& traced) {
     name(needs.textures, "textures");
     name(needs.normals, "normals");
     name(needs.shadows, "shadow rays");
-    std::string why = "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects.";
+    const bool cpu = traced.tracer == TracerKind::cpu;
+    std::string why = fmt::format(
+        "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects.\n\nFeatures that "
+        "the {} does without for this scene and these settings: {}{}.",
+        cpu ? "CPU" : "GPU", traced.left_out.size(),
+        cpu ? "; what only the GPU's programs can leave out is not counted" : "");
     for (const std::string& line : traced.left_out) why += "\n" + line + ".";
     widgets::note((needs.reflections ? "4 passes" : "2 passes") + missing);
     widgets::hint(why);
@@ -104,23 +150,14 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     TraceConfig& trace = edit.session.trace;
     draw_traversal(edit);
     draw_tracer(state, edit);
-    widgets::slider("bounces", trace.reflection_depth, 0, 8, "%d",
-                    "Reflections that a ray follows (passes RTRefl and ShadeRefl); the paper follows one. Option "
-                    "--reflection-depth.");
-    widgets::toggle("shadows", trace.shadows,
-                    "One shadow ray per light and hit (pass ShadePrim). Off: every light reaches everything. Option "
-                    "--no-shadows.");
+    draw_bounces(state, trace);
     if (state.picture) draw_passes_run(state.picture->traced);
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
-    widgets::slider(
-        "least contribution", trace.least_contribution, 0, 1, "%.4f",
-        "The second way for a path to end: a reflection that would add less than this to every colour (0..1) "
-        "is not followed. 0.004 is one step of 8 bits; 0 follows all bounces. Option --min-contribution.",
-        true);
+    draw_least_contribution(state, trace);
     draw_leaf_lists(trace);
     draw_early_z(edit);
     draw_rules(trace);
-    if (state.picture && state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(*state.picture);
+    if (state.picture && state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(state, *state.picture);
 }
 
 }  // namespace kd

@@ -72,7 +72,7 @@ void draw_presets(BuildConfig& b) {
 }
 
 void draw_statistics(const EngineState& state) {
-    if (!widgets::fold("statistics", ImGui::GetIO().DisplaySize.y >= theme::px(800))) return;
+    if (!widgets::fold("statistics", ImGui::GetIO().DisplaySize.y >= theme::px(960))) return;
     const TreeStats& s = state.world->stats;
     widgets::value("nodes", number_text(double(s.nodes)), "Interior nodes and leaves.");
     widgets::value("leaves, empty",

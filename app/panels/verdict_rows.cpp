@@ -81,11 +81,20 @@ void draw_wrong_pixels(const EngineState& state, Edit& edit) {
                                                 number_text(upper_bound_95(0, judged->compared())))
                                   : "";
     widgets::value("wrong pixels", text, "Of all that have such a ray." + bound, wrong > 0 ? theme::error : 0);
+    const int place = judged && edit.window.pinned ? place_number(*judged, *edit.window.pinned) : 0;
+    std::string places = none;
+    if (judged) places = number_text(double(judged->places.size()));
+    if (place > 0) places = fmt::format("{} of {}", place, places);
+    widgets::value(
+        "places", places,
+        "Wrong pixels lie together: places that are a 24th of the picture's shorter side apart, the one with "
+        "most wrong pixels around first. The arrow keys go from pixel to pixel.");
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (widgets::button("previous", "Pins the wrong pixel before the pinned one. Key Shift W.", wrong > 0, half))
+    if (widgets::button("previous", "Pins the place before. Key Shift W.", wrong > 0, half))
         edits::pin_wrong(state, edit, true);
     ImGui::SameLine();
-    if (widgets::button("next", "Pins the next wrong pixel. Key W.", wrong > 0, half))
+    if (widgets::button("next", "Pins the next place, or the nearest where the pinned pixel lies at none. Key W.",
+                        wrong > 0, half))
         edits::pin_wrong(state, edit, false);
 }
 

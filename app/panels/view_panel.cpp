@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
@@ -25,18 +26,19 @@ void draw_layers(Edit& edit) {
     widgets::check("legend", edit.window.legend, "The legend over the picture; drag it to another corner. Key K.");
 }
 
-void draw_map(Edit& edit) {
+void draw_map(const EngineState& state, Edit& edit) {
     ViewConfig& view = edit.session.view;
     std::string map = view.map.map;
     if (widgets::choice("map", map, widgets::options_of(maps()),
                         "The number that colours stand for. Key M: the next. Option --map."))
         edits::show_map(edit, map);
-    std::vector<widgets::Option> rays;
-    for (std::size_t i = 0; i < pass_count; ++i)
-        rays.push_back({std::string(ray_names[i]), fmt::format("Traced by pass {}.", pass_names[i])});
     int index = int(view.map.rays);
-    if (widgets::choice("rays", index, rays, "Whose counters. A pixel without such rays stays dark. Option --rays."))
+    if (widgets::choice("rays", index, ray_options(state, edit.session.trace),
+                        "Whose counters. A pixel without such rays stays dark. Option --rays."))
         view.map.rays = Pass(index);
+    // Chosen for another scene or setting, and kept for when they are there again.
+    const std::string none = why_absent(state, edit.session.trace, view.map.rays);
+    if (!none.empty()) widgets::note(fmt::format("No {} rays: {}.", ray_names[std::size_t(view.map.rays)], none));
 }
 
 void draw_range(const EngineState& state, Edit& edit) {
@@ -125,7 +127,7 @@ void draw_split_lines(OverlayConfig& overlay) {
 void draw_view_panel(const EngineState& state, Edit& edit) {
     ViewConfig& view = edit.session.view;
     draw_layers(edit);
-    draw_map(edit);
+    draw_map(state, edit);
     draw_range(state, edit);
     draw_split_depth(view.overlay);
     const MapInfo* map = find_map(view.map.map);

@@ -154,6 +154,19 @@ void point_out(ImDrawList& list, const Plane& plane, Pick pick) {
     draw_ring(list, plane.at(pick.curve, point), 8, theme::dim_text);
 }
 
+/// Where the points are that can be clicked on one by one: "tried/CPU 0".
+void note_points(const char* label, const Plane& plane) {
+    Places* places = Places::current();
+    if (!places || plane.chart.shared_x) return;
+    const float reach = theme::px(6);
+    for (std::size_t c = 0; c < plane.chart.curves.size(); ++c)
+        for (std::size_t p = 0; p < plane.chart.curves[c].points.size(); ++p) {
+            const ImVec2 at = plane.at(c, plane.chart.curves[c].points[p]);
+            places->add(fmt::format("{}/{} {}", label, plane.chart.curves[c].name, p), {at.x - reach, at.y - reach},
+                        {at.x + reach, at.y + reach});
+        }
+}
+
 /// One name of the legend with a sample of what it names.
 struct Entry {
     const std::string& name;
@@ -222,7 +235,9 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
                       {corner.x + size.x - right, corner.y + size.y - 2 * line - theme::px(8)},
                       chart};
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);  // beside it may stand another chart
     list.AddText({corner.x, corner.y}, theme::text, heading_of(chart).c_str());
+    list.PopClipRect();
     list.AddRectFilled(plane.low, plane.high, theme::sunken);
     draw_axes(list, plane);
     const float label = size_of(chart.x.label).x;
@@ -235,8 +250,10 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
     draw_curves(list, plane);
     if (const auto& marked = options.marked_point)
         draw_ring(list, plane.at(marked->curve, chart.curves[marked->curve].points[marked->point]), 8, theme::selected);
-    if (under_mouse) widgets::hint(read_out(chart, *under_mouse, options.click));
-    return clicked && !options.click.empty() ? under_mouse : std::nullopt;
+    if (!options.click.empty()) note_points(id + 2, plane);
+    const bool picked = clicked && !options.click.empty() && under_mouse;
+    if (under_mouse) widgets::read_out(read_out(chart, *under_mouse, options.click), picked);
+    return picked ? under_mouse : std::nullopt;
 }
 
 }  // namespace kd::chart

@@ -86,9 +86,9 @@ constexpr KeyBinding table[] = {
      [](State s, Edit& e) { edits::move_pin(s, e, 1, 0); }},
     {GLFW_KEY_UP, plain, "Up", pixel, "pinned pixel up", [](State s, Edit& e) { edits::move_pin(s, e, 0, -1); }},
     {GLFW_KEY_DOWN, plain, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
-    {GLFW_KEY_W, plain, "W", pixel, "next wrong pixel (oracle)",
+    {GLFW_KEY_W, plain, "W", pixel, "next wrong place (oracle)",
      [](State s, Edit& e) { edits::pin_wrong(s, e, false); }},
-    {GLFW_KEY_W, GLFW_MOD_SHIFT, "Shift W", pixel, "wrong pixel before it",
+    {GLFW_KEY_W, GLFW_MOD_SHIFT, "Shift W", pixel, "wrong place before it",
      [](State s, Edit& e) { edits::pin_wrong(s, e, true); }},
     {GLFW_KEY_F, plain, "F", pixel, "look at the pixel's hit", [](State s, Edit& e) { edits::focus(s, e); }},
     {GLFW_KEY_R, plain, "R", pixel, "reset the camera", [](State, Edit& e) { e.session.camera.reset(); }},
@@ -123,6 +123,7 @@ constexpr Gesture held[] = {
     {"click", "pin the pixel, or release it"},
     {"right + WASD, QE", "fly"},
     {"Ctrl+click", "type into a slider"},
+    {"Up, Down, Enter", "choose in an open list"},
     {"drag the legend", "to another corner"},
 };
 

@@ -11,6 +11,14 @@ namespace {
 
 constexpr float top_height = 36, status_height = 24, splitter = 4;
 constexpr float least_column = 200, least_bottom = 84;
+constexpr float bottom_share = 0.24f, least_first_bottom = 204, most_first_bottom = 260;  // where nobody dragged it
+
+/// Of the panels at the bottom, in pixels.
+float bottom_height(float height, float inner, const LayoutSizes& sizes, float scale) {
+    const float first = std::clamp(bottom_share * height, least_first_bottom * scale, most_first_bottom * scale);
+    const float least = least_bottom * scale;
+    return std::clamp(sizes.bottom > 0 ? sizes.bottom * scale : first, least, std::max(least, 0.7f * inner));
+}
 
 /// An invisible handle between two areas. Returns how far it was dragged.
 float handle(const char* id, Rectangle r, bool upright) {
@@ -44,7 +52,7 @@ WindowSize first_size(WindowSize free, float scale) {
     return {along(free.width, least_width), along(free.height, least_height)};
 }
 
-Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels, bool tall) {
+Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels) {
     const float top = std::round(top_height * scale);
     const float status = std::round(status_height * scale);
     const float gap = panels ? splitter * scale : 0;
@@ -58,24 +66,22 @@ Layout divide(float width, float height, const LayoutSizes& sizes, float scale, 
             left /= excess;
             right /= excess;
         }
-        bottom = std::clamp((tall ? sizes.tall : sizes.bottom) * scale, least_bottom * scale,
-                            std::max(least_bottom * scale, 0.7f * inner));
         left = std::round(left);
         right = std::round(right);
-        bottom = std::round(bottom);
+        bottom = std::round(bottom_height(height, inner, sizes, scale));
     }
     const float body = std::max(1.0f, inner - bottom - gap);
     Layout layout;
     layout.top = {0, 0, width, top};
-    layout.left = {0, top, left, body};
+    layout.left = {0, top, left, inner};
     layout.picture = {left + gap, top, std::max(1.0f, width - left - right - 2 * gap), body};
     layout.right = {width - right, top, right, body};
-    layout.bottom = {0, top + body + gap, width, bottom};
+    layout.bottom = {left + gap, top + body + gap, std::max(1.0f, width - left - gap), bottom};
     layout.status = {0, height - status, width, status};
     return layout;
 }
 
-bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale, bool tall) {
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale) {
     const LayoutSizes before = sizes;
     const float gap = splitter * scale;
     const Rectangle& p = layout.picture;
@@ -83,14 +89,13 @@ bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale, bool 
     const auto drag = [&](const char* id, Rectangle place, bool upright, float shown, float& size, float sign) {
         if (const float moved = handle(id, place, upright); moved != 0) size = (shown + sign * moved) / scale;
     };
-    drag("##left splitter", {p.x - gap, p.y, gap, p.height}, true, layout.left.width, sizes.left, 1);
+    drag("##left splitter", {p.x - gap, p.y, gap, layout.left.height}, true, layout.left.width, sizes.left, 1);
     drag("##right splitter", {p.x + p.width, p.y, gap, p.height}, true, layout.right.width, sizes.right, -1);
-    float& bottom = tall ? sizes.tall : sizes.bottom;
-    drag("##bottom splitter", {0, layout.bottom.y - gap, layout.bottom.width, gap}, false, layout.bottom.height, bottom,
-         -1);
+    drag("##bottom splitter", {layout.bottom.x, layout.bottom.y - gap, layout.bottom.width, gap}, false,
+         layout.bottom.height, sizes.bottom, -1);
     sizes.left = std::clamp(sizes.left, least_column, 800.0f);
     sizes.right = std::clamp(sizes.right, least_column, 800.0f);
-    bottom = std::clamp(bottom, least_bottom, 600.0f);
+    if (sizes.bottom > 0) sizes.bottom = std::clamp(sizes.bottom, least_bottom, 600.0f);
     return sizes != before;
 }
 

@@ -12,8 +12,8 @@ struct Rectangle {
 
 /// Sizes that a person can drag, in pixels at scale 1.
 struct LayoutSizes {
-    float left = 276, right = 228, bottom = 140;
-    float tall = 314;  // of the bottom where a tall panel is there
+    float left = 276, right = 228;
+    float bottom = 0;  // one for all panels there; 0: as the window's height allows
     bool operator==(const LayoutSizes&) const = default;
 };
 
@@ -31,12 +31,11 @@ struct Layout {
     Rectangle top, left, picture, right, bottom, status;
 };
 
-/// Divides the window. `panels` off gives everything but the top and status line to the picture. The picture keeps at
+/// Divides the window: the column at the left is as high as it can be, the bottom begins beside it. `panels` off gives everything but the top and status line to the picture. The picture keeps at
 /// least 40 % of the width and 30 % of the height, whatever the sizes say.
-[[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels,
-                            bool tall = false);
+[[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels);
 
 /// The three splitters; true while one is dragged, which changes `sizes`.
-bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale, bool tall = false);
+bool draw_splitters(const Layout& layout, LayoutSizes& sizes, float scale);
 
 }  // namespace kd

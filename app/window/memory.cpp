@@ -54,8 +54,7 @@ WindowMemory recall() {
         memory.height = number(json, "height", 480, 16384, memory.height);
         memory.sizes.left = number(json, "left", 100.0f, 2000.0f, memory.sizes.left);
         memory.sizes.right = number(json, "right", 100.0f, 2000.0f, memory.sizes.right);
-        memory.sizes.bottom = number(json, "bottom", 50.0f, 2000.0f, memory.sizes.bottom);
-        memory.sizes.tall = number(json, "tall", 50.0f, 2000.0f, memory.sizes.tall);
+        memory.sizes.bottom = number(json, "strip", 0.0f, 2000.0f, memory.sizes.bottom);
         memory.maximised = flag(json, "maximised", false);
         memory.settings.text_scale = number(json, "text_scale", least_text_scale, largest_text_scale, 1.0f);
         memory.settings.legend_corner = Corner(number(json, "legend_corner", 0, 3, int(Corner::bottom_right)));
@@ -79,8 +78,7 @@ void remember(const WindowMemory& memory) {
                     {"maximised", memory.maximised},
                     {"left", memory.sizes.left},
                     {"right", memory.sizes.right},
-                    {"bottom", memory.sizes.bottom},
-                    {"tall", memory.sizes.tall},
+                    {"strip", memory.sizes.bottom},
                     {"text_scale", settings.text_scale},
                     {"timing", settings.timing},
                     {"legend", settings.legend},

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/window/layout.h"
+#include "app/window/tooltip_rest.h"
 
 namespace kd {
 
@@ -19,10 +20,13 @@ class Places {
 
     /// The item that Dear ImGui was given last.
     static void note(std::string_view label);
+    /// Those of the current context; null where it has none.
+    static Places* current();
+
+    TooltipRest tooltip_rest;
 
   private:
     friend class Section;
-    static Places* current();
     std::string section_;
     std::map<std::string, Rectangle> all_;
 };

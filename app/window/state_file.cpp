@@ -55,17 +55,16 @@ Json json_of(const WindowSettings& window) {
             {"help", window.help},
             {"legend", window.legend},
             {"folder", window.folder},
+            {"scene_text", window.scene_text},
             {"legend_corner", int(window.legend_corner)},
             {"text_scale", json_number(window.text_scale)}};
 }
 
 /// What STABILITY shows: the case, its verdicts, and the points of its charts.
 Json json_of(const StabilityState& state, const StabilityView& view) {
-    Json json{{"case", view.id},
-              {"charts", view.charts},
-              {"active", state.active},
-              {"what", state.what},
-              {"error", state.error}};
+    Json json{{"case", view.id},        {"charts", view.charts},
+              {"active", state.active}, {"fraction", json_number(state.fraction)},
+              {"what", state.what},     {"error", state.error}};
     if (const auto found = state.verdicts.find(view.id); found != state.verdicts.end()) {
         json["passed"] = found->second->passed();
         for (const StabilityRow& row : found->second->rows)
@@ -137,6 +136,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
                     {"height", state.duel.height},        {"cpu_ms", state.duel.cpu.median_ms},
                     {"gl_ms", state.duel.gl.median_ms},   {"decided", state.duel.decided()}};
     json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
+    if (const JudgedLayer* judged = state.judged()) json["wrong_places"] = judged->places.size();
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];
     json["window"] = json_of(edit.window);
     json["picture_area"] = json_of(picture);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/window/list.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 
@@ -16,38 +17,33 @@ constexpr float label_share = 0.46f;
 /// Identity of a control whose label stands elsewhere.
 std::string hidden(const char* label) { return std::string("##") + label; }
 
-/// The lines of an open list.
-bool choose_in_list(const char* label, std::string& name, const std::vector<Option>& options) {
-    const Section section(label);
-    bool changed = false;
-    for (const Option& option : options) {
-        ImGui::PushID(option.name.c_str());  // two may be shown alike
-        if (ImGui::Selectable(option.shown().c_str(), option.name == name) && option.name != name) {
-            name = option.name;
-            changed = true;
-        }
-        ImGui::PopID();
-        Places::note(option.name);
-        hint(option.summary);
-    }
-    return changed;
-}
-
 /// A tooltip over the rows of a panel or a list would hide what it is about: it goes beside columns and above what lies at
 /// the bottom.
-void place_tooltip() {
-    const ImGuiIO& io = ImGui::GetIO();
+void place_tooltip(ImVec2 at) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
     const ImVec2 corner = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     const float gap = theme::px(8);
-    if (width < 0.4f * io.DisplaySize.x) {
-        const bool left = corner.x + width / 2 < io.DisplaySize.x / 2;
-        ImGui::SetNextWindowPos({left ? corner.x + width + gap : corner.x - gap, io.MousePos.y}, ImGuiCond_Always,
-                                {left ? 0.0f : 1.0f, 0});
-    } else if (corner.y > io.DisplaySize.y / 2) {
-        ImGui::SetNextWindowPos({std::min(io.MousePos.x, io.DisplaySize.x - theme::px(330)), corner.y - gap},
-                                ImGuiCond_Always, {0, 1});
+    if (width < 0.4f * display.x) {
+        const bool left = corner.x + width / 2 < display.x / 2, low = at.y > display.y / 2;
+        ImGui::SetNextWindowPos({left ? corner.x + width + gap : corner.x - gap, at.y}, ImGuiCond_Always,
+                                {left ? 0.0f : 1.0f, low ? 1.0f : 0.0f});
+    } else if (corner.y > display.y / 2) {
+        ImGui::SetNextWindowPos({std::min(at.x, display.x - theme::px(330)), corner.y - gap}, ImGuiCond_Always, {0, 1});
     }
+}
+
+Rectangle last_item() {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    return {low.x, low.y, high.x - low.x, high.y - low.y};
+}
+
+/// Whether the mouse is still where something was used; where `used`, that is `place`, in this frame.
+bool tooltips_rest(bool used, const Rectangle& place) {
+    Places* places = Places::current();
+    if (!places) return false;
+    if (used) places->tooltip_rest.begin(place);
+    return places->tooltip_rest.lasts(ImGui::GetIO().MousePos);
 }
 
 }  // namespace
@@ -67,16 +63,33 @@ void begin_row(const char* label, std::string_view tooltip) {
     ImGui::SetNextItemWidth(control_width());
 }
 
-void hint(std::string_view text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    place_tooltip();
+void show_tooltip(std::string_view text, ImVec2 at) {
+    place_tooltip(at);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(8), theme::px(6)});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(theme::px(300));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
+    Places::note("tooltip");
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+}
+
+void hint(std::string_view text) {
+    const bool rest = tooltips_rest(ImGui::IsItemActive() || ImGui::IsItemDeactivated(), last_item());
+    if (text.empty() || rest || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    show_tooltip(text, ImGui::GetIO().MousePos);
+}
+
+void read_out(std::string_view text, bool used) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float reach = theme::px(6);
+    if (tooltips_rest(used, {mouse.x - reach, mouse.y - reach, 2 * reach, 2 * reach})) return;
+    show_tooltip(text, mouse);
+}
+
+std::string tip_of(std::string_view text, const std::string& missing) {
+    return missing.empty() ? std::string(text) : fmt::format("{}\n\nNot here: {}.", text, missing);
 }
 
 void heading(const char* text) {
@@ -98,6 +111,7 @@ void value(const char* label, const std::string& text, std::string_view tooltip,
     ImGui::TextUnformatted(text.c_str());
     if (colour) ImGui::PopStyleColor();
     ImGui::EndGroup();
+    Places::note(label);
     hint(tooltip);
 }
 
@@ -154,7 +168,8 @@ bool combo(const char* label, std::string& name, const std::vector<Option>& opti
     const bool open = ImGui::BeginCombo(hidden(label).c_str(), preview.c_str(), ImGuiComboFlags_HeightLargest);
     if (!open) {
         Places::note(label);
-        hint(known != options.end() ? fmt::format("{}\n\n{}", tooltip, known->summary) : std::string(tooltip));
+        hint(known != options.end() ? fmt::format("{}\n\n{}", tooltip, tip_of(known->summary, known->missing))
+                                    : std::string(tooltip));
         return false;
     }
     const bool changed = choose_in_list(label, name, options);

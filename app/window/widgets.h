@@ -8,8 +8,15 @@
 
 namespace kd::widgets {
 
-/// Tooltip of the item just drawn, also where it is disabled.
+/// Tooltip of the item just drawn, also where it is disabled. None after the item was used, until the mouse has left it.
 void hint(std::string_view text);
+
+/// What is read out under the mouse of a thing that is no control, such as a chart. `used`: it was clicked on; the mouse has
+/// to move on first.
+void read_out(std::string_view text, bool used);
+
+/// A text beside the place `at`, where it hides neither rows nor lists.
+void show_tooltip(std::string_view text, ImVec2 at);
 
 /// A small heading inside a panel.
 void heading(const char* text);
@@ -36,7 +43,8 @@ void begin_row(const char* label, std::string_view tooltip);
 /// One of several things to choose from.
 struct Option {
     std::string name, summary;
-    std::string label{};  // shown instead of the name where not empty
+    std::string label{};    // shown instead of the name where not empty
+    std::string missing{};  // why it cannot be chosen; empty where it can
 
     [[nodiscard]] const std::string& shown() const { return label.empty() ? name : label; }
 };
@@ -60,6 +68,9 @@ bool choice(const char* label, std::string& name, const std::vector<Option>& opt
 /// The same without a row of its own, `width` wide; `name` may be none of the options.
 bool combo(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip,
            float width);
+
+/// `text`, and why the control is greyed out: where `missing` is not empty.
+[[nodiscard]] std::string tip_of(std::string_view text, const std::string& missing);
 
 /// A line that opens and closes what follows; true while open.
 bool fold(const char* label, bool open_at_first);

@@ -107,8 +107,9 @@ void WindowLoop::run(const std::stop_token& stop) {
             continue;
         }
         const EngineState& state = engine_->state();
-        const bool moving =
-            state.working() || state.stability.active || !state.messages.empty() || edit_.exporting.active;
+        // A measurement's bar moves too, four times a second: drawn as often as others it would take from what is measured.
+        const bool moving = state.working() || state.stability.active || state.needs.active ||
+                            !state.messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) {
             const double begun = engine_->now();
             draw_frame();
@@ -159,11 +160,10 @@ void WindowLoop::lay_out_frame() {
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (size.x >= 1 && size.y >= 1) {  // nothing to see of a minimised window
-        const bool tall = bottom_panel().tall;
-        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels, tall);
+        layout_ = divide(size.x, size.y, sizes_, scale_, edit_.window.panels);
         viewport_->draw(layout_.picture, engine_->state(), now, seconds, edit_);
         draw_panels(layout_);
-        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_, tall);
+        if (edit_.window.panels) draw_splitters(layout_, sizes_, scale_);
         draw_help(edit_);
     }
     ImGui::Render();
@@ -230,7 +230,6 @@ void WindowLoop::apply_keys() {
         const bool behind = edit_.window.help && !(press.modifiers & GLFW_MOD_CONTROL) && press.key != GLFW_KEY_F1 &&
                             press.key != GLFW_KEY_SLASH && press.key != GLFW_KEY_ESCAPE;
         if (!meant_elsewhere && !flies && !behind) apply_key(press.key, press.modifiers, engine_->state(), edit_);
-        if (list_open && press.key == GLFW_KEY_ESCAPE) ImGui::SetWindowFocus(nullptr);  // closes lists
     }
     keys_.clear();
     for (const std::string& path : dropped_) edits::choose_scene(edit_, path);
@@ -247,6 +246,7 @@ void WindowLoop::apply_edit() {
         add_recent(edit_.window.recent_files, world->loaded->name);
     }
     log_.applied(engine_->state().generation);
+    edits::settle_typed(engine_->state(), edit_);
     for (const Action action : edit_.actions) carry_out(action);
 }
 
@@ -308,6 +308,7 @@ void WindowLoop::write_files(Action action) {
 void WindowLoop::fetch_exports() {
     for (const Exporter::Done& done : exporter_.fetch()) {
         lively_frames_ = frames_after_input;
+        edit_.export_error = done.error;
         if (!done.error.empty()) {
             engine_->say(true, done.error);
             continue;

@@ -74,12 +74,17 @@ std::vector<Feature> removable(const SceneFacts& facts, const TraceConfig& confi
     return found;
 }
 
-std::vector<std::string> left_out(const SceneFacts& facts, const TraceConfig& config) {
-    const SceneNeeds needs = scene_needs(facts, config);
+std::string why_left_out(Feature feature, const SceneFacts& facts, const TraceConfig& config) {
+    const FeatureInfo& row = info(feature);
+    return scene_needs(facts, config).*row.in_use ? "" : row.need(facts, config).why;
+}
+
+std::vector<std::string> left_out(const SceneFacts& facts, const TraceConfig& config, bool on_cpu) {
     std::vector<std::string> lines;
-    for (const FeatureInfo& feature : features())
-        if (!(needs.*feature.in_use))
-            lines.push_back(fmt::format("{}: {}", feature.title, feature.need(facts, config).why));
+    for (const FeatureInfo& feature : features()) {
+        const std::string why = why_left_out(feature.id, facts, config);
+        if (!why.empty() && (feature.on_cpu || !on_cpu)) lines.push_back(fmt::format("{}: {}", feature.title, why));
+    }
     return lines;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "renderer/trace/wrong_places.h"
+
 namespace kd {
 
 std::string wrong_text(const VerdictCounts& counts) {
@@ -27,6 +29,7 @@ void JudgedLayer::tally() {
         ++counts[std::size_t(hit.verdict)];
         if (hit.verdict == HitVerdict::agrees) worst_ulps = std::max(worst_ulps, hit.ulps);
     }
+    places = wrong_places(hits);
 }
 
 std::int64_t JudgedLayer::compared() const { return std::accumulate(counts.begin(), counts.end(), std::int64_t(0)); }
@@ -36,17 +39,6 @@ std::int64_t JudgedLayer::wrong() const {
     for (std::size_t i = 0; i < verdict_count; ++i)
         if (is_wrong(HitVerdict(i))) sum += counts[i];
     return sum;
-}
-
-std::optional<std::size_t> JudgedLayer::next_wrong(std::optional<std::size_t> from, bool backwards) const {
-    const std::size_t n = hits.pixels.size();
-    if (n == 0) return std::nullopt;
-    std::size_t i = from ? *from % n : (backwards ? 0 : n - 1);
-    for (std::size_t seen = 0; seen < n; ++seen) {
-        i = backwards ? (i + n - 1) % n : (i + 1) % n;
-        if (is_wrong(hits.pixels[i].verdict)) return i;
-    }
-    return std::nullopt;
 }
 
 }  // namespace kd

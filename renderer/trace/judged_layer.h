@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/trace/frame.h"
 
@@ -57,16 +57,14 @@ struct JudgedLayer {
     Pass rays = Pass::rt_prim;
     int step = 1;  // every so many pixels along both sides are judged: x of `hits` is the frame's x * step
     Image<JudgedHit> hits;
-    VerdictCounts counts{};  // as tally() finds them
-    double worst_ulps = 0;   // of t among the pixels that are right
+    VerdictCounts counts{};                // as tally() finds them
+    double worst_ulps = 0;                 // of t among the pixels that are right
+    std::vector<std::size_t> places = {};  // where rays go wrong: wrong_places() of `hits`
 
-    /// Fills `counts` and `worst_ulps`.
+    /// Fills `counts`, `worst_ulps` and `places`.
     void tally();
     [[nodiscard]] std::int64_t compared() const;
     [[nodiscard]] std::int64_t wrong() const;
-    /// Index of the first wrong pixel after `from` in rows (before it where `backwards`), going round; from the first
-    /// (last) pixel where `from` is none. Nothing where no pixel is wrong.
-    [[nodiscard]] std::optional<std::size_t> next_wrong(std::optional<std::size_t> from, bool backwards) const;
 };
 
 }  // namespace kd

@@ -51,6 +51,8 @@ TEST(WidthChart, HasACurvePerSchedule) {
     EXPECT_EQ(chart.x.text_at(32), "32");
     EXPECT_EQ(chart.y.high, 1);
     EXPECT_NE(chart.title.find("restart"), std::string::npos);
+    for (const ChartCurve& curve : chart.curves)
+        EXPECT_TRUE(curve.ink != Ink::cpu && curve.ink != Ink::gpu) << "no machine's colour: neither measured it";
 }
 
 TEST(WidthChart, LeavesOutWhatNoGroupDid) {

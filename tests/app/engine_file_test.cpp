@@ -22,6 +22,33 @@ TEST(EngineFile, ABadFileLeavesTheOldSceneAndItsPicture) {
     }
 }
 
+TEST(EngineFile, ARefusedWishIsKnownUntilTheNextAndTakesNoCamera) {
+    Session session = small_session();
+    Engine engine(session, quiet());
+    ASSERT_TRUE(settle(engine));
+    session.camera = engine.state().camera;
+    session.camera->eye.x += 0.25f;
+    engine.set_session(session);
+    ASSERT_TRUE(settle(engine));
+    EXPECT_FALSE(engine.state().refused);
+
+    Session wish = session;
+    wish.scene = "bal:300";
+    wish.camera.reset();
+    engine.set_session(wish);
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.refused.has_value(); }));
+    ASSERT_TRUE(settle(engine));
+    ASSERT_TRUE(engine.state().refused);
+    EXPECT_EQ(engine.state().refused->name, "bal:300");
+    EXPECT_EQ(engine.state().refused->why, engine.state().messages.back().text);
+    EXPECT_EQ(engine.state().session, session) << "the camera, too, is as before";
+
+    session.scene = "scatter:50";
+    engine.set_session(session);
+    ASSERT_TRUE(settle(engine));
+    EXPECT_FALSE(engine.state().refused);
+}
+
 TEST(EngineFile, WhatAFileLostIsTold) {
     Engine engine(small_session(corpus + "skinned.glb"), quiet());
     ASSERT_TRUE(settle(engine));

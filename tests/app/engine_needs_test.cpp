@@ -1,42 +1,54 @@
 // Features put back and left out while the window goes on: programs are made in the background, once.
+#include <condition_variable>
 #include <cstring>
+#include <functional>
+#include <mutex>
 
 #include "tests/app/engine_run.h"
 
 namespace kd {
 namespace {
 
+/// Why there is no OpenGL; empty where there is.
+std::string no_context() {
+    try {
+        (void)Context::create(ContextKind::automatic);
+        return "";
+    } catch (const ContextError& error) {
+        return error.what();
+    }
+}
+
+/// Compiling may take a while on a busy machine.
+bool patient_settle(Engine& engine) { return settle(engine, 6 * test::patience()); }
+
+std::unique_ptr<Engine> start_engine(TracerKind tracer, std::function<void()> wake = {}) {
+    Session session = small_session("cornell");
+    session.tracer = tracer;
+    EngineOptions options = quiet();
+    options.open_gl = [] { return Context::create(ContextKind::automatic); };
+    options.wake = std::move(wake);
+    auto engine = std::make_unique<Engine>(session, options);
+    EXPECT_TRUE(patient_settle(*engine));
+    return engine;
+}
+
+bool force(Engine& engine, FeatureSet features) {
+    Session session = engine.state().session;
+    session.trace.forced = features;
+    engine.set_session(session);
+    return patient_settle(engine);
+}
+
 /// Of GL where there is some, and of the CPU.
 class EngineNeeds : public testing::TestWithParam<TracerKind> {
   protected:
     void SetUp() override {
         if (GetParam() == TracerKind::cpu) return;
-        try {
-            (void)Context::create(ContextKind::automatic);
-        } catch (const ContextError& error) {
-            GTEST_SKIP() << "NO CONTEXT: " << error.what();
-        }
+        if (const std::string why = no_context(); !why.empty()) GTEST_SKIP() << "NO CONTEXT: " << why;
     }
 
-    static std::unique_ptr<Engine> start() {
-        Session session = small_session("cornell");
-        session.tracer = GetParam();
-        EngineOptions options = quiet();
-        options.open_gl = [] { return Context::create(ContextKind::automatic); };
-        auto engine = std::make_unique<Engine>(session, options);
-        EXPECT_TRUE(patient_settle(*engine));
-        return engine;
-    }
-
-    /// Compiling may take a while on a busy machine.
-    static bool patient_settle(Engine& engine) { return settle(engine, 6 * test::patience()); }
-
-    static bool force(Engine& engine, FeatureSet features) {
-        Session session = engine.state().session;
-        session.trace.forced = features;
-        engine.set_session(session);
-        return patient_settle(engine);
-    }
+    static std::unique_ptr<Engine> start() { return start_engine(GetParam()); }
 
     static std::vector<Vec4> colours(const Engine& engine) {
         return engine.state().picture->traced.frame->colour.pixels;
@@ -54,35 +66,6 @@ TEST_P(EngineNeeds, PutBackChangesNoPixel) {
     const std::vector<Vec4> with = colours(*engine);
     ASSERT_EQ(with.size(), without.size());
     EXPECT_EQ(std::memcmp(with.data(), without.data(), with.size() * sizeof(Vec4)), 0);
-}
-
-TEST_P(EngineNeeds, ProgramsAreMadeOnceWhileTheOldPictureStays) {
-    if (GetParam() == TracerKind::cpu) GTEST_SKIP() << "the CPU makes no programs";
-    const auto engine = start();
-    const int first = engine->state().compiled;
-    EXPECT_GT(first, 0);
-    EXPECT_EQ(engine->state().compiling, 0);
-
-    const auto before = engine->state().picture;
-    Session session = engine->state().session;
-    session.trace.forced = Feature::textures;
-    engine->set_session(session);
-    // Nobody waits: poll() comes back while programs are being made, and the picture before is there.
-    ASSERT_TRUE(wait_until(*engine, [&](const EngineState& s) {
-        if (s.compiling > 0) {
-            EXPECT_TRUE(s.stale() && s.picture == before);
-        }
-        EXPECT_NE(s.picture, nullptr);
-        return s.compiled > first && s.compiling == 0;
-    }));
-    ASSERT_TRUE(patient_settle(*engine));
-    EXPECT_EQ(engine->state().compiling, 0);
-    const int second = engine->state().compiled;
-    EXPECT_GT(second, first);
-
-    ASSERT_TRUE(force(*engine, {}));
-    ASSERT_TRUE(force(*engine, Feature::textures));
-    EXPECT_EQ(engine->state().compiled, second) << "both are kept";
 }
 
 TEST_P(EngineNeeds, WhatIsLeftOutIsTimedWhenAskedFor) {
@@ -118,6 +101,61 @@ TEST_P(EngineNeeds, AChangeEndsTheMeasurement) {
     engine->cancel_needs();
     EXPECT_FALSE(engine->state().needs.active);
     EXPECT_TRUE(patient_settle(*engine));
+}
+
+/// Holds threads that bring news until it is opened.
+class Gate {
+  public:
+    void close() {
+        const std::scoped_lock lock(mutex_);
+        open_ = false;
+    }
+    void open() {
+        const std::scoped_lock lock(mutex_);
+        open_ = true;
+        changed_.notify_all();
+    }
+    void pass() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return open_; });
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool open_ = true;
+};
+
+TEST(EngineNeedsGl, ProgramsAreMadeOnceWhileTheOldPictureStays) {
+    if (const std::string why = no_context(); !why.empty()) GTEST_SKIP() << "NO CONTEXT: " << why;
+    Gate gate;
+    const auto engine = start_engine(TracerKind::gl_fragment, [&] { gate.pass(); });
+    const int first = engine->state().compiled;
+    EXPECT_GT(first, 0);
+    EXPECT_EQ(engine->state().compiling, 0);
+
+    // The tracing thread tells that it compiles, and is held there.
+    const auto before = engine->state().picture;
+    gate.close();
+    Session session = engine->state().session;
+    session.trace.forced = Feature::textures;
+    engine->set_session(session);
+    const bool compiles = wait_until(
+        *engine, [](const EngineState& s) { return s.compiling > 0; }, 6 * test::patience());
+    for (int i = 0; i < 20; ++i) engine->poll();
+    EXPECT_TRUE(compiles);
+    EXPECT_TRUE(engine->state().stale());
+    EXPECT_EQ(engine->state().picture, before);
+    gate.open();
+    ASSERT_TRUE(patient_settle(*engine));
+    EXPECT_NE(engine->state().picture, before);
+    EXPECT_EQ(engine->state().compiling, 0);
+    const int second = engine->state().compiled;
+    EXPECT_GT(second, first);
+
+    ASSERT_TRUE(force(*engine, {}));
+    ASSERT_TRUE(force(*engine, Feature::textures));
+    EXPECT_EQ(engine->state().compiled, second) << "both are kept";
 }
 
 }  // namespace

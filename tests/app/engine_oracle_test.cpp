@@ -1,4 +1,6 @@
 // The engine's stage between frame and picture: hits against double precision, where a map asks for it.
+#include <algorithm>
+#include <cstdlib>
 #include <gtest/gtest.h>
 
 #include "app/engine_judging.h"
@@ -26,8 +28,14 @@ TEST(EngineOracle, ComparesWithTheOracleWhereTheMapAsks) {
     EXPECT_EQ(engine.state().picture->map->category_pixels[std::size_t(HitVerdict::missed)],
               judged->counts[std::size_t(HitVerdict::missed)]);
 
-    const auto wrong = next_wrong_pixel(*judged, {}, false);
+    const auto wrong = next_wrong_place(*judged, {}, false);
     ASSERT_TRUE(wrong);
+    EXPECT_EQ(place_number(*judged, *wrong), 1);
+    const auto other = next_wrong_place(*judged, wrong, false);
+    ASSERT_TRUE(other);
+    EXPECT_GT(std::max(std::abs(other->x - wrong->x), std::abs(other->y - wrong->y)), 8) << "leads elsewhere";
+    EXPECT_EQ(next_wrong_place(*judged, other, true), wrong);
+    EXPECT_EQ(place_number(*judged, {wrong->x + 1, wrong->y}), 0);
     engine.set_probes({}, wrong);
     ASSERT_TRUE(engine.state().pinned && engine.state().pinned->oracle);
     const OracleReading& reading = *engine.state().pinned->oracle;

@@ -37,6 +37,15 @@ TEST(EngineStability, RunsACaseUnderTheRulesOfTheSession) {
     EXPECT_FALSE(verdicts.at("T16")->passed());
 }
 
+TEST(EngineStability, ACaseTellsHowFarItIs) {
+    Engine engine(tiny_session(), quiet());
+    engine.run_case("T02", true);
+    EXPECT_EQ(engine.state().stability.fraction, 0);
+    ASSERT_TRUE(rests(engine));
+    EXPECT_GT(engine.state().stability.fraction, 0.2f) << "what was told last";
+    EXPECT_LE(engine.state().stability.fraction, 1);
+}
+
 TEST(EngineStability, ASweepGrowsAndACancelKeepsWhatItHas) {
     Engine engine(tiny_session(), quiet());
     engine.run_sweep("T14");

@@ -143,6 +143,9 @@ TEST(Layout, AreasCoverTheWindowAndNeverOverlap) {
                 EXPECT_LE(l.picture.x + l.picture.width, l.right.x);
                 EXPECT_LE(l.picture.y + l.picture.height, l.bottom.y);
                 EXPECT_LE(l.bottom.y + l.bottom.height, l.status.y + 0.5f);
+                EXPECT_LE(l.left.y + l.left.height, l.status.y + 0.5f);
+                EXPECT_LE(l.left.x + l.left.width, l.bottom.x);
+                EXPECT_FLOAT_EQ(l.bottom.x + l.bottom.width, width);
                 EXPECT_FLOAT_EQ(l.right.x + l.right.width, width);
                 EXPECT_FLOAT_EQ(l.status.y + l.status.height, height);
                 EXPECT_GE(l.picture.width, 0.39f * width);
@@ -152,7 +155,19 @@ TEST(Layout, AreasCoverTheWindowAndNeverOverlap) {
 
 TEST(Layout, ThePictureGetsSixtyPercentOfTheWidthAtFirst) {
     EXPECT_GE(divide(1280, 720, {}, 1, true).picture.width, 0.6f * 1280);
+    EXPECT_GE(divide(1280, 720, {}, 1, true).picture.height, 0.6f * 720);
     EXPECT_FLOAT_EQ(divide(1280, 720, {}, 1, false).picture.width, 1280);
+}
+
+TEST(Layout, TheBottomGrowsWithTheWindowUntilItIsDragged) {
+    const auto bottom = [](float height, const LayoutSizes& sizes) {
+        return divide(1280, height, sizes, 1, true).bottom.height;
+    };
+    EXPECT_FLOAT_EQ(bottom(720, {}), 204);
+    EXPECT_FLOAT_EQ(bottom(1080, {}), 259);
+    EXPECT_FLOAT_EQ(bottom(1600, {}), 260);
+    for (const float height : {720.0f, 1080.0f, 1600.0f}) EXPECT_FLOAT_EQ(bottom(height, {.bottom = 150}), 150);
+    EXPECT_FLOAT_EQ(divide(2560, 1440, {}, 2, true).bottom.height, 408) << "at scale 2";
 }
 
 TEST(Layout, TheFirstWindowSuitsTheScreen) {

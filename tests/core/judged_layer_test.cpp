@@ -1,7 +1,6 @@
 #include "renderer/trace/judged_layer.h"
 
 #include <gtest/gtest.h>
-#include <optional>
 
 namespace kd {
 namespace {
@@ -30,26 +29,6 @@ TEST(JudgedLayer, EveryVerdictHasAName) {
     EXPECT_EQ(name_of(HitVerdict::unfinished), "unfinished");
     EXPECT_EQ(name_of(HitVerdict::none), "not compared");
     EXPECT_FALSE(is_wrong(HitVerdict::agrees) || is_wrong(HitVerdict::tie) || is_wrong(HitVerdict::none));
-}
-
-TEST(JudgedLayer, WrongPixelsFollowEachOtherRoundAndRound) {
-    const JudgedLayer layer = one_of_each();  // 2 to 6 are wrong
-    EXPECT_EQ(layer.next_wrong({}, false), 2u);
-    EXPECT_EQ(layer.next_wrong({}, true), 6u);
-    EXPECT_EQ(layer.next_wrong(2, false), 3u);
-    EXPECT_EQ(layer.next_wrong(6, false), 2u);
-    EXPECT_EQ(layer.next_wrong(2, true), 6u);
-    EXPECT_EQ(layer.next_wrong(0, true), 6u);
-}
-
-TEST(JudgedLayer, TheOnlyWrongPixelFollowsItself) {
-    JudgedLayer layer;
-    layer.hits = Image<JudgedHit>(3, 1);
-    EXPECT_FALSE(layer.next_wrong({}, false));
-    EXPECT_FALSE(JudgedLayer{}.next_wrong({}, true));
-    layer.hits.pixels[1].verdict = HitVerdict::missed;
-    EXPECT_EQ(layer.next_wrong(1, false), 1u);
-    EXPECT_EQ(layer.next_wrong(1, true), 1u);
 }
 
 }  // namespace

@@ -67,11 +67,32 @@ bool can_return(Feature feature, const FlatScene& scene, const TraceConfig& conf
 
 TEST(SceneNeeds, PlainSceneNeedsItsLightAndShadows) {
     EXPECT_EQ(in_use(needs_of(plain())), (Names{"shadows", "placed-lights"}));
-    const std::vector<std::string> lines = left_out(scene_facts(plain(), KdTree{}), {});
+    const std::vector<std::string> lines = left_out(scene_facts(plain(), KdTree{}), {}, false);
     EXPECT_EQ(lines.front(), "RTRefl, ShadeRefl: no reflective material");
     EXPECT_NE(std::ranges::find(lines, "texture fetch: no textured material"), lines.end());
     EXPECT_NE(std::ranges::find(lines, "interpolated normals: all normals are flat"), lines.end());
     EXPECT_EQ(lines.size(), features().size() - 4);
+}
+
+TEST(SceneNeeds, TheCpuIsNotToldWhatOnlyTheGpusProgramsLeaveOut) {
+    const SceneFacts facts = scene_facts(plain(), KdTree{});
+    const std::vector<std::string> cpu = left_out(facts, {}, true), gpu = left_out(facts, {}, false);
+    const auto names = [](const std::vector<std::string>& lines, std::string_view title) {
+        return std::ranges::any_of(lines, [&](const std::string& line) { return line.starts_with(title); });
+    };
+    EXPECT_TRUE(names(gpu, "spot lights") && names(gpu, "loop over lights"));
+    EXPECT_FALSE(names(cpu, "spot lights") || names(cpu, "loop over lights"));
+    EXPECT_TRUE(names(cpu, "texture fetch"));
+    for (const FeatureInfo& feature : features())
+        EXPECT_EQ(names(cpu, feature.title), feature.on_cpu && names(gpu, feature.title)) << feature.name;
+}
+
+TEST(SceneNeeds, WhyOneFeatureIsLeftOut) {
+    const SceneFacts facts = scene_facts(plain(), KdTree{});
+    EXPECT_EQ(why_left_out(Feature::reflections, facts, {}), "no reflective material");
+    EXPECT_EQ(why_left_out(Feature::reflections, facts, {.reflection_depth = 0}), "switched off");
+    EXPECT_EQ(why_left_out(Feature::reflections, facts, {.forced = Feature::reflections}), "") << "put back";
+    EXPECT_EQ(why_left_out(Feature::shadows, facts, {}), "") << "needed";
 }
 
 TEST(SceneNeeds, OnlyUsedMaterialsCount) {

@@ -31,7 +31,7 @@ overlaps() {
 left=$(value picture_area.0) width=$(value picture_area.2)
 holds "$width >= 0.6 * 1920" || fail "the picture has only $width of 1920 pixels"
 import -window root screen.png
-for part in "${left%.*}x800+0+40" "200x400+1710+40" "600x100+0+950"; do
+for part in "${left%.*}x800+0+40" "200x400+1710+40" "600x90+300+860"; do
     spread=$(convert screen.png -crop "$part" +repage -colorspace Gray -format '%[fx:standard_deviation]' info:)
     holds "$spread > 0.03" || fail "nothing is written at $part"
 done

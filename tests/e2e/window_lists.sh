@@ -32,6 +32,23 @@ wait_for '^pinned=null$'
 press t
 wait_for '^settings.traversal=restart$'
 
+# Keys alone: from restart up to stack, by Esc nothing, and down again.
+click_on "TRACING/traversal"
+press Up
+[[ $(value settings.traversal) == restart ]] || fail "an arrow chose already"
+press Return
+wait_for '^settings.traversal=stack$'
+[[ -z $(place "TRACING/traversal/restart") ]] || fail "Enter did not close the list"
+click_on "TRACING/traversal"
+press Down
+press Escape
+[[ -z $(place "TRACING/traversal/restart") ]] || fail "Esc did not close the list"
+[[ $(value settings.traversal) == stack ]] || fail "Esc took the line"
+click_on "TRACING/traversal"
+press Down
+press Return
+wait_for '^settings.traversal=restart$'
+
 # The help takes clicks and keeps keys from what lies behind it; text of another size is drawn, not a blank window.
 press F1
 wait_for '^window.help=true$'

@@ -4,13 +4,18 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:300 --rules as-published
 [[ $(value bottom) == TIME ]] || fail "the window begins with $(value bottom)"
-small=$(value picture_area.3)
-press y
+height=$(value picture_area.3)
+# All panels at the bottom are of one height.
+for key in shift+y x e shift+d y; do
+    press "$key"
+    wait_for '^bottom=[^T]'
+    [[ $(value picture_area.3) == "$height" ]] || fail "the picture is $(value picture_area.3) high with $(value bottom), $height with TIME"
+done
 wait_for '^bottom=STABILITY$'
-holds "$(value picture_area.3) < $small - 100" || fail "no room was made"
-for label in filter run sweep "show scene" "back to ball:9000" verdicts charts "all traversals"; do
+for label in filter run sweep "show scene" verdicts charts "all traversals"; do
     [[ -n $(place "STABILITY/$label") ]] || fail "'$label' is not to be seen at $SCREEN"
 done
+state | grep -q '^places.STABILITY/back to' && fail "a way back is offered, and no case was shown"
 
 # The list narrows down to what is typed.
 click_on "STABILITY/filter"
@@ -57,6 +62,7 @@ wait_for '^settings.scene=stress:T16=1e-09$'
 see_picture near.png
 click_on "STABILITY/back to ball:300"
 wait_for '^settings.scene=ball:300$'
+[[ -z $(place "STABILITY/back to ball:300") ]] || fail "back to where we are"
 see_picture again.png
 holds "$(difference ball.png again.png) < 0.002" || fail "another picture came back"
 

@@ -17,7 +17,17 @@ top=$(value picture_area.1) height=$(value picture_area.3)
 edge=$((${top%.*} + ${height%.*} + 2))
 move_to 600 "$edge"
 hold
-move_by 20 0 -12
+move_by 10 0 -12
 let_go
-holds "$(width_of TIME/plot) > 1200" || fail "the plot is $(width_of TIME/plot) wide in a high panel"
+holds "$(width_of TIME/plot) > 900" || fail "the plot is $(width_of TIME/plot) wide in a high panel"
+
+# The height that was dragged is every panel's, and the next window's.
+high=$(value picture_area.3)
+holds "$high < ${height%.*} - 100" || fail "the picture is still $high high"
+press x
+wait_for '^bottom=NEEDS$'
+[[ $(value picture_area.3) == "$high" ]] || fail "NEEDS has another height"
+stop_window
+start_window ball:300
+[[ $(value picture_area.3) == "$high" ]] || fail "the height was forgotten: $(value picture_area.3), not $high"
 echo "passed"

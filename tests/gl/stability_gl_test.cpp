@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 #include "renderer/geometry/input_error.h"
@@ -88,6 +89,26 @@ TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
         EXPECT_EQ(std::string(error.what()), "case 'T999': not known; `kdscope stability --list` names all");
     }
     EXPECT_FALSE(started);
+}
+
+TEST(Stability, ProgressMovesWithinACaseAndNeverBack) {
+    StabilityConfig config;
+    config.cases = {"T02", "T16"};
+    std::map<std::string, std::vector<float>> fractions;  // by case
+    float before = 0;
+    (void)run_stability(config, [&](float done, const std::string& what) {
+        EXPECT_GE(done, before) << what;
+        EXPECT_LE(done, 1) << what;
+        before = done;
+        fractions[what.substr(0, 3)].push_back(done);
+    });
+    ASSERT_EQ(fractions.size(), 2u);
+    for (const auto& [id, told] : fractions) {
+        EXPECT_GE(std::set(told.begin(), told.end()).size(), traversals().size() - 1) << id << ": a step for each";
+        EXPECT_GT(told.back() - told.front(), 0.1f) << id;
+    }
+    EXPECT_LE(fractions["T02"].back(), 0.5f);
+    EXPECT_EQ(fractions["T16"].front(), 0.5f) << "half of the cases";
 }
 
 TEST(Stability, StopsWhenAsked) {

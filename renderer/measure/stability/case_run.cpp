@@ -16,8 +16,7 @@
 namespace kd {
 
 CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
-                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop,
-                 std::function<void(const std::string&)> tell)
+                 std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop, Tell tell)
     : info_(info), config_(config), machines_(machines), stop_(std::move(stop)), tell_(std::move(tell)),
       random_(case_seed(info.id, config.seed)) {}
 
@@ -61,22 +60,33 @@ Subject CaseRun::subject(FlatScene scene, const BuildConfig& build) {
     return made;
 }
 
+std::vector<const TraversalInfo*> CaseRun::wanted_traversals() const {
+    std::vector<const TraversalInfo*> found;
+    for (const TraversalInfo& traversal : traversals()) {
+        const auto& wanted = config_.traversals;
+        const bool named = wanted.empty() || std::ranges::find(wanted, traversal.name) != wanted.end();
+        const bool has_rules = config_.rules == Rules::robust || traversal.has_published_form();
+        if (traversal.id != Traversal::naive && named && has_rules) found.push_back(&traversal);
+    }
+    return found;
+}
+
+/// How many parts a case has shows only when it ends, so each takes half of what is left, in equal steps.
 void CaseRun::each(const Subject& subject,
                    const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use) {
+    const std::vector<const TraversalInfo*> wanted = wanted_traversals();
+    const float step = 0.5f * (1 - done_) / float(std::max<std::size_t>(machines_.size() * wanted.size(), 1));
     for (const auto& machine : machines_) {
         machine->load(subject.scene, subject.tree);
-        for (const TraversalInfo& traversal : traversals()) {
-            if (traversal.id == Traversal::naive) continue;
-            if (config_.rules != Rules::robust && !traversal.has_published_form()) continue;
-            const auto& wanted = config_.traversals;
-            if (!wanted.empty() && std::ranges::find(wanted, traversal.name) == wanted.end()) continue;
+        for (const TraversalInfo* traversal : wanted) {
             check_stop();
-            if (tell_) tell_(fmt::format("{}, {}", machine->tracer(), traversal.name));
+            if (tell_) tell_(done_, fmt::format("{}, {}", machine->tracer(), traversal->name));
             TraceConfig trace;
-            trace.traversal = traversal.id;
+            trace.traversal = traversal->id;
             trace.rules = config_.rules;
-            StabilityRow& r = row(machine->tracer(), machine->context(), traversal.name);
+            StabilityRow& r = row(machine->tracer(), machine->context(), traversal->name);
             r.seconds += 1e-3 * wall_ms([&] { use(*machine, trace, r); });
+            done_ += step;
         }
     }
 }

@@ -32,10 +32,11 @@ struct Expectation {
 class CaseRun {
   public:
     struct Stopped {};
+    /// How far the case is, 0..1 and never less than before, and what runs.
+    using Tell = std::function<void(float, const std::string&)>;
 
     CaseRun(const StabilityCase& info, const StabilityConfig& config,
-            std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop,
-            std::function<void(const std::string&)> tell = {});
+            std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop, Tell tell = {});
     virtual ~CaseRun() = default;
 
     /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many; of `parts` that share them,
@@ -84,6 +85,8 @@ class CaseRun {
 
   private:
     StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
+    /// The traversals that each() walks by.
+    [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals() const;
     /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.
     struct Reference {
         const FlatScene& scene;
@@ -103,7 +106,8 @@ class CaseRun {
     const StabilityConfig& config_;
     std::span<const std::unique_ptr<RayMachine>> machines_;
     std::stop_token stop_;
-    std::function<void(const std::string&)> tell_;  // what runs
+    Tell tell_;
+    float done_ = 0;  // of the case, as far as it is known
     Random random_;
     std::vector<std::unique_ptr<StabilityRow>> rows_;
 };

@@ -56,12 +56,13 @@ StabilityReport run_stability(const StabilityConfig& config,
     const auto machines = open_machines(config, report.notes);
     try {
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            const auto tell = [&](const std::string& doing) {
+            const auto tell = [&](float done, const std::string& doing) {
                 const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
-                if (progress) progress(float(i) / float(cases.size()), what);
+                if (progress) progress((float(i) + done) / float(cases.size()), what);
             };
-            tell("");
-            CaseRun run(*cases[i], config, machines, stop, [&](const std::string& doing) { tell(": " + doing); });
+            tell(0, "");
+            CaseRun run(*cases[i], config, machines, stop,
+                        [&](float done, const std::string& doing) { tell(done, ": " + doing); });
             report.preparing_seconds += 1e-3 * wall_ms([&] { cases[i]->run(run); });
             for (StabilityRow& row : run.finish()) {
                 report.preparing_seconds -= row.seconds;

@@ -65,7 +65,8 @@ struct StabilityReport {
     [[nodiscard]] bool passed() const;
 };
 
-/// InputError for a case that is not known. `progress` gets the fraction done and what runs.
+/// InputError for a case that is not known. `progress` gets the fraction done, which moves within a
+/// case too, and what runs.
 [[nodiscard]] StabilityReport run_stability(const StabilityConfig& config,
                                             const std::function<void(float, const std::string&)>& progress = {},
                                             std::stop_token stop = {});
