@@ -90,6 +90,16 @@ void add_shading_options(CLI::App& app, CommonOptions& o) {
                    "Leaves hold triangle numbers or vertex copies [references]"),
         add_choice(app, "--early-z", o.session.early_z, culling,
                    "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
+        add_number<int>(app, "--short-stack", trace.short_stack, 1, max_short_stack,
+                        fmt::format("Entries that traversal short-stack keeps [{}]", trace.short_stack)),
+        app.add_flag_callback(
+            "--plain-ropes", [&trace] { trace.optimised_ropes = false; },
+            "Ropes lead to the sibling across the plane, not to the smallest cell behind the face"),
+        app.add_flag("--eye-leaf", trace.eye_leaf,
+                     "With ropes, primary rays begin in the leaf that the camera is in, not at the root"),
+        add_number<int>(
+            app, "--entry-tile", trace.entry_tile, 0, 1024,
+            "Primary rays begin at the entry point of their tile of so many pixels each way; 0 is the root"),
         app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
         add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
                         fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
@@ -118,6 +128,9 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
         add_number<float>(app, "--empty-bonus-gate", build.empty_bonus_gate, 0.0f, 1.0f,
                           text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
                                build.empty_bonus_gate)),
+        add_number<float>(
+            app, "--empty-cut", build.empty_cut, 0.0f, 1.0f,
+            text("Empty parts of a cell from this fraction on are cut off first; 0 is never", build.empty_cut)),
         add_number<int>(app, "--leaf-size", build.leaf_size, 1, 1 << 20,
                         text("Nodes of at most N triangles become leaves", build.leaf_size)),
         add_number<int>(app, "--max-depth", build.max_depth, 0, max_tree_depth,

@@ -49,6 +49,9 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
     const bool gl = !named || session.tracer == TracerKind::gl_fragment;
     const bool cpu = !named || session.tracer == TracerKind::cpu;
     const bool walks = (all_tracers && !options.traversal) || session.trace.traversal != Traversal::naive;
+    const auto walked = [&](WalkNeeds need) {
+        return (all_tracers && !options.traversal) || info(session.trace.traversal).has(need);
+    };
     const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
     const std::string no_walk = "the loop over all triangles (naive) walks no tree";
     return {
@@ -57,6 +60,11 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
         {"--count-shaded", gl, no_gl},
         {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
         {"--leaf-lists", walks, no_walk},
+        {"--short-stack", walked(walk_short_stack), "the walk keeps none; --traversal short-stack would"},
+        {"--plain-ropes", walked(walk_ropes), "the walk follows none; --traversal ropes would"},
+        {"--entry-tile", session.trace.entry_tile == 0 || all_tracers || enters_by_tile(session.trace),
+         "only robust walks down from a node use it; ropes and naive are none"},
+        {"--eye-leaf", walked(walk_ropes), "only ropes lead on from there; add --traversal ropes"},
         {"--rules", walks, no_walk},
         {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
         bins_use(session, all_builders && !options.builder),

@@ -56,6 +56,9 @@ ErrorTimeConfig complete(const ErrorTimeOptions& options) {
     config.gl_demanded = options.tracer == TracerKind::gl_fragment || (config.gl && options.context);
     config.context = options.context.value_or(ContextKind::automatic);
     config.traversals = wanted_traversals(options, false);
+    // All of them on one chart are too many to tell apart; those that the paper compares are asked about first.
+    if (!options.traversal)
+        std::erase_if(config.traversals, [](Traversal traversal) { return !info(traversal).has_published_form(); });
     return config;
 }
 

@@ -172,6 +172,17 @@ void write_maps(const std::string& folder, const std::vector<Row>& rows, const s
     }
 }
 
+/// Those wanted of which there is a shader that counts.
+std::vector<Traversal> counted_traversals(const CommonOptions& common) {
+    std::vector<Traversal> counted = wanted_traversals(common, false);
+    std::erase_if(counted, [&](Traversal traversal) {
+        TraceConfig config = common.session.trace;
+        config.traversal = traversal;
+        return !has_ballot_loop(config);
+    });
+    return counted;
+}
+
 /// Of a scene's traversals, loops and kinds of rays.
 void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOptions& options, const std::string& name,
               CommandContext& context, std::vector<Row>& rows) {
@@ -181,7 +192,7 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
     check_stop(context);
     tracer.upload(scene, tree);
     ProgressLine progress(context);
-    for (const Traversal traversal : wanted_traversals(common, false)) {
+    for (const Traversal traversal : counted_traversals(common)) {
         session.trace.traversal = traversal;
         for (const Schedule loop : {Schedule::if_if, Schedule::while_while})
             for (const Pass rays : rays_of(scene, session.trace, options)) {
@@ -200,15 +211,11 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
 }  // namespace
 
 int run_ballots(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
-    for (const Traversal traversal : wanted_traversals(common, false)) {
-        TraceConfig config = common.session.trace;
-        config.traversal = traversal;
-        if (!has_ballot_loop(config))
-            throw InputError(
-                fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose stack, "
-                            "restart or backtrack under the robust rules",
-                            info(traversal).name, info(config.rules).name));
-    }
+    if (counted_traversals(common).empty())
+        throw InputError(
+            fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose stack, "
+                        "restart or backtrack under the robust rules",
+                        info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
     check_outputs({{"--csv", options.csv}}, {});
     if (!options.maps.empty()) make_output_folder("--maps", options.maps);
     const std::unique_ptr<Context> gl = Context::create(common.context.value_or(ContextKind::automatic));

@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/stats_divergence.h"
+#include "app/commands/stats_traversals.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
 #include "app/progress_line.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct StatsOptions : CommonOptions {
     bool every_builder = false;
+    bool every_traversal = false;
     bool json = false;
     DivergenceOptions divergence;
 };
@@ -151,13 +153,15 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }
 
-/// What --divergence and --ballot do not read, and what only they do.
-void check_uses(const CLI::App& app, bool divergence, bool ballot) {
+/// What the tables about rays do not read, and what only they do.
+void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversals) {
     const std::string alone = "cannot be given with --divergence; ask for one of them";
-    const std::string no_trees = "--divergence and --ballot walk one tree; leave one of them out";
-    const std::string no_walks = "the tables about the tree walk no rays; add --divergence or --ballot";
-    const bool walks = divergence || ballot;
+    const std::string no_trees = "--divergence, --ballot and --traversals walk one tree; leave one of them out";
+    const std::string no_walks = "the tables about the tree walk no rays; add --divergence, --ballot or --traversals";
+    const bool walks = divergence || ballot || traversals;
     refuse_idle(app, {{"--ballot", !divergence, alone},
+                      {"--traversals", !divergence && !ballot, "cannot be given with --divergence or --ballot"},
+                      {"--traversal", !traversals, "--traversals shows all of them; leave one of them out"},
                       {"--builders", !walks, no_trees},
                       {"--rays", walks, no_walks},
                       {"--csv", walks, no_walks},
@@ -170,8 +174,9 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot) {
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
     const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
-    check_uses(app, divergence, ballot);
+    check_uses(app, divergence, ballot, options.every_traversal);
     if (ballot) return run_ballots(options, options.divergence, options.json, context);
+    if (options.every_traversal) return run_traversals(options, options.divergence, options.json, context);
     if (divergence) return run_divergence(options, options.divergence, options.json, context);
     refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
     note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
@@ -216,6 +221,7 @@ CommandBody declare(CLI::App& app) {
     add_scenes(app, *options);
     app.add_flag("--builders", options->every_builder, "All builders side by side");
     app.add_flag("--json", options->json, "JSON instead of a table");
+    app.add_flag("--traversals", options->every_traversal, "Instead: what every traversal visits, side by side");
     add_divergence_options(app, options->divergence);
     add_frame_options(app, *options);
     add_camera_options(app, *options);
@@ -231,7 +237,8 @@ Command stats_command() {
             "  kdscope stats ball:9000 rooms\n"
             "  kdscope stats scatter:10000 --builders --json\n"
             "  kdscope stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg\n"
-            "  kdscope stats ball:9000 --ballot --size 128x128\n",
+            "  kdscope stats ball:9000 --ballot --size 128x128\n"
+            "  kdscope stats ball:9000 rooms scatter:10000 --traversals --rays primary\n",
             declare};
 }
 

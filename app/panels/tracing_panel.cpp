@@ -13,11 +13,39 @@ namespace kd {
 
 namespace {
 
+/// What only some walks have to choose.
+void draw_walk_choices(TraceConfig& trace, const TraversalInfo& walk) {
+    if (walk.has(walk_short_stack))
+        widgets::slider(
+            "entries", trace.short_stack, 1, max_short_stack, "%d",
+            "Far children that a ray keeps. More spare restarts, and take registers. Option --short-stack.");
+    if (!walk.has(walk_ropes)) {
+        if (walk.id != Traversal::naive && trace.rules == Rules::robust)
+            widgets::slider(
+                "entry tiles", trace.entry_tile, 0, 64, trace.entry_tile == 0 ? "off" : "%d px",
+                "Primary rays begin at the deepest node outside of which their tile of pixels meets nothing "
+                "(Reshetov et al. 2005, MLRTA), not at the root. Option --entry-tile.");
+        return;
+    }
+    widgets::toggle(
+        "optimised ropes", trace.optimised_ropes,
+        "On: each rope leads to the smallest cell that its whole face borders on. Off: to the sibling across "
+        "the plane, with all the way down from there. Option --plain-ropes.");
+    widgets::toggle(
+        "from the eye's leaf", trace.eye_leaf,
+        "Primary rays begin in the leaf that the camera is in and spare the way down to it. Nothing changes "
+        "for a camera outside of the tree. Option --eye-leaf.");
+}
+
 void draw_traversal(Edit& edit) {
-    int index = int(edit.session.trace.traversal);
+    TraceConfig& trace = edit.session.trace;
+    const TraversalInfo& walk = info(trace.traversal);
+    int index = int(trace.traversal);
     if (widgets::choice("traversal", index, widgets::options_of(traversals()),
-                        "How a ray walks the tree. Key T: the next. Option --traversal."))
-        edit.session.trace.traversal = Traversal(index);
+                        fmt::format("How a ray walks the tree. Key T: the next. Option --traversal.\n\n{}\n\n{}",
+                                    walk.paragraph, walk.source)))
+        trace.traversal = Traversal(index);
+    draw_walk_choices(trace, info(trace.traversal));
 }
 
 /// Why the GPU cannot be had, as a paragraph for tooltips.

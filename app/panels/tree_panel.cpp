@@ -40,6 +40,10 @@ void draw_more_constants(BuildConfig& b, const EngineState& state) {
     widgets::slider("bonus from", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node. 0 is the "
                     "paper's rule. Option --empty-bonus-gate.");
+    widgets::slider(
+        "empty cut", b.empty_cut, 0, 1, "%.2f",
+        "Where at least this share of a node, from one face on, is empty, it is cut off before anything else "
+        "is tried: long empty stretches end in one step. 0: never. Option --empty-cut.");
     const int automatic = state.world ? depth_limit(BuildConfig{}, state.world->scene().triangles.size()) : 0;
     widgets::slider("depth limit", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
                     fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}. Option --max-depth.", automatic));

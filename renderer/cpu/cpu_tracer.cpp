@@ -6,6 +6,7 @@
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
+#include "renderer/kdtree/ropes.h"
 
 namespace kd {
 
@@ -38,17 +39,25 @@ void CpuTracer::prepare(const TraceConfig& config) {
     // What is needed no more is let go.
     if (!view.needs.node_boxes) view.boxes = {};
     if (!view.needs.leaf_copies) view.duplicated_corners = {};
+    if (!view.needs.ropes || view.optimised_ropes != view.needs.optimised_ropes) view.ropes = {};
     if (view.needs.node_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
+    if (view.needs.ropes && view.ropes.empty()) {
+        view.ropes = make_ropes(*view.tree, view.needs.optimised_ropes);
+        view.optimised_ropes = view.needs.optimised_ropes;
+    }
     if (view.needs.leaf_copies && view.duplicated_corners.empty())
         view.duplicated_corners = duplicated_leaf_triangles(*view.tree, view.scene->triangles);
 }
 
 std::int64_t CpuTracer::table_bytes() const {
-    return std::int64_t(std::span(view_->boxes).size_bytes() + std::span(view_->duplicated_corners).size_bytes());
+    return std::int64_t(std::span(view_->boxes).size_bytes() + std::span(view_->ropes).size_bytes() +
+                        std::span(view_->duplicated_corners).size_bytes());
 }
 
 std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs) {
+    constexpr std::size_t ropes = faces_of_a_cell * sizeof(std::int32_t);
     return std::int64_t((needs.node_boxes ? tree.nodes.size() * sizeof(Aabb) : 0) +
+                        (needs.ropes ? tree.nodes.size() * ropes : 0) +
                         (needs.leaf_copies ? tree.references.size() * sizeof(Triangle) : 0));
 }
 
@@ -60,7 +69,9 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
     std::atomic<std::size_t> done = 0;
     parallel_ranges(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
-            run_tile_job({*view_, config, camera, tiles[i], frame});
+            const Tile& t = tiles[i];
+            const SeenArea area{camera, frame.width, frame.height, t.x0, t.y0, t.x1, t.y1};
+            run_tile_job({*view_, config, camera, t, frame, entry_points(*view_->tree, view_->boxes, config, area)});
             const std::size_t finished = ++done;
             if (progress) progress(float(finished) / float(tiles.size()));
         }

@@ -9,10 +9,12 @@ class Kernel {
         : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
           corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
-          chosen(config.traversal), most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget),
-          observer(&first) {}
+          chosen(config.traversal), short_stack(config.short_stack),
+          most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
+    /// Where the walks that follow begin: the root, or a node that holds all that their rays can meet.
+    void begin_at(int node) { first_node = node; }
 
   private:
     const TreeNode* nodes;
@@ -21,7 +23,9 @@ class Kernel {
     const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
     Traversal chosen;
+    int short_stack;
     int most_steps;
+    int first_node = 0;
     Observer* observer;
 
     // Observer.
@@ -47,6 +51,10 @@ class Kernel {
         lower = view.boxes[std::size_t(node)].lower;
         upper = view.boxes[std::size_t(node)].upper;
     }
+
+    KD_FN int fetch_rope(int node, int face) const { return view.ropes[std::size_t(6 * node + face)]; }
+    KD_FN int entry_node() const { return first_node; }
+    KD_FN int short_stack_entries() const { return short_stack; }
 
     // Triangles and attributes.
     KD_FN void fetch_corners(int slot, int triangle, int3 axes, real3& a, real3& b, real3& c) const {
@@ -99,18 +107,20 @@ class Kernel {
   public:
 #define KD_STACK_SIZE max_tree_depth
 #define KD_LONG_TRAIL 1
+#define KD_SHORT_STACK max_short_stack
 #define KD_TRAVERSE traverse_chosen
 #define KD_RULES int(rules)
 #include "shaders/shared/kernel.glsl"
 #undef KD_RULES
 #undef KD_TRAVERSE
+#undef KD_SHORT_STACK
 #undef KD_LONG_TRAIL
 #undef KD_STACK_SIZE
 
   private:
     void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit) {
         switch (chosen) {
-#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
+#define KD_TRAVERSAL(name, ...)                                                                                        \
     case Traversal::name:                                                                                              \
         return walk_##name(s, any_hit, hit);
 #include "shaders/shared/traversals.glsl"
@@ -119,7 +129,7 @@ class Kernel {
     }
 
     // One copy of each walk per kernel; every ray type calls it.
-#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
+#define KD_TRAVERSAL(name, label, published, ...)                                                                      \
     [[gnu::noinline]] void walk_##name(const RaySetup& s, bool any_hit, Hit& hit) {                                    \
         if constexpr (rules == Rules::robust)                                                                          \
             traverse_##name(s, any_hit, hit);                                                                          \

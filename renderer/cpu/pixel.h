@@ -10,7 +10,9 @@ Vec3 walk_pixel(Kernel& kernel, const TileJob& job, int2 pixel, int2 size, Pass 
     const auto observe = [&](Pass pass) { kernel.observe(seen[std::size_t(pass)]); };
 
     observe(Pass::rt_prim);
+    kernel.begin_at(job.entries.at(pixel.x, pixel.y));
     Path path = kernel.trace_primary(job.camera, pixel, size);
+    kernel.begin_at(0);
     hits[0] = path.hit;
     if (last == Pass::rt_prim) return Vec3(0);
 

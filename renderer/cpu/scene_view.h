@@ -18,6 +18,8 @@ struct SceneView {
     SceneNeeds needs;
     std::vector<Triangle> duplicated_corners;  // where needed
     std::vector<Aabb> boxes;                   // where needed
+    std::vector<std::int32_t> ropes;           // where needed
+    bool optimised_ropes = false;              // which
 };
 
 }  // namespace kd

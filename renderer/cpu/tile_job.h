@@ -4,6 +4,7 @@
 #include <span>
 
 #include "renderer/cpu/scene_view.h"
+#include "renderer/kdtree/entry.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
@@ -17,6 +18,7 @@ struct TileJob {
     const PinholeCamera& camera;
     Tile tile;
     Frame& frame;
+    EntryPoints entries{};  // of primary rays
 };
 
 struct RayJob {

@@ -21,7 +21,8 @@ enum class Unit : unsigned {
     earlier_counters_a,
     earlier_counters_b,
     earlier_hit,
-    rays = path_hit,  // rays.frag has no path
+    rays = path_hit,     // rays.frag has no path
+    entries = path_hit,  // nor has rt_prim.frag
 };
 
 inline constexpr unsigned scene_block = 0;  // uniform buffers

@@ -52,8 +52,10 @@ void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlL
     const auto has = [&](bool needed, Feature feature) { return needed || config.forced.has(feature); };
     if (has(config.leaf_lists == LeafLists::duplicated, Feature::leaf_copies))
         check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
-    if (has(info(config.traversal).needs_boxes, Feature::node_boxes))
+    if (has(info(config.traversal).has(walk_boxes) || enters_by_tile(config), Feature::node_boxes))
         check_texels("the boxes of all nodes", 2 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
+    if (has(info(config.traversal).has(walk_ropes), Feature::ropes))
+        check_texels("boxes and ropes of all nodes", 4 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
     if (config.traversal == Traversal::naive) {
         // One invocation traces the shadow rays to all lights.
         const std::int64_t rays = config.shadows ? std::max<std::int64_t>(1, sizes.lights) : 1;

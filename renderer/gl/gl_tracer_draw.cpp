@@ -151,15 +151,17 @@ class TileDraw {
 
 static_assert(static_cast<int>(Step::shade_refl) == static_cast<int>(Pass::shade_refl));
 
-gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCamera& camera, const TargetKey& size) {
+gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCamera& camera, const TargetKey& size,
+                                   const EntryPoints& entries) {
     return {
         .eye = Vec4(camera.eye, 0.0f),
         .right = Vec4(camera.right, 0.0f),
         .up = Vec4(camera.up, 0.0f),
         .forward = Vec4(camera.forward, 0.0f),
         .image = {size.width, size.height, 0, 0},
-        .rays = {0, 0, 1, 0},
+        .rays = {0, 0, 1, entries.nodes.front()},
         .criteria = {config.trace.least_contribution, 0.0f, 0.0f, 0.0f},
+        .entry = {entries.x0, entries.y0, entries.tile, entries.columns},
     };
 }
 
@@ -167,7 +169,14 @@ gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCam
 
 void GlTracer::Impl::draw_tile(const GlTraceConfig& config, const PinholeCamera& camera, Tile tile,
                                GlFrameReport& report) {
-    frame_block.set(gl, encode_block(config, camera, targets.key()));
+    const EntryPoints entries = scene().entries(
+        config.trace, {camera, targets.key().width, targets.key().height, tile.x0, tile.y0, tile.x1, tile.y1});
+    frame_block.set(gl, encode_block(config, camera, targets.key(), entries));
+    BufferTexture table;
+    if (enters_by_tile(config.trace)) {
+        table = BufferTexture(gl, GL_R32I, entries.nodes, "entry points");
+        table.bind(gl, Unit::entries);
+    }
     TileDraw(*this, config, tile, report).run();
     check_gl(gl, "drawing the passes");
 }

@@ -11,6 +11,7 @@ GlMemory planned_memory(const FlatScene& scene, const KdTree& tree, const SceneN
     GlMemory memory;
     memory.nodes = texel * sizes.nodes;
     if (needs.node_boxes) memory.boxes = 2 * texel * sizes.nodes;
+    if (needs.ropes) memory.boxes = 4 * texel * sizes.nodes;  // the boxes before them
     memory.references = (needs.wide_references ? 4 : 2) * sizes.references;
     memory.triangles = 3 * texel * (sizes.triangles + (needs.leaf_copies ? sizes.references : 0));
     memory.attributes = texel * sizes.table_texels;

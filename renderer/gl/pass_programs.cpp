@@ -51,8 +51,14 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_MATERIAL_NUMBERS", flag(s.needs.material_numbers && looks_up_materials)},
         {"KD_TRAVERSE", std::string(walks ? walk_function(s.trace) : "traverse_naive")},
         {"KD_RULES", walks ? std::to_string(int(s.trace.rules)) : "0"},
-        {"KD_STACK_SIZE", info(s.trace.traversal).needs_stack && walks ? std::to_string(s.needs.levels) : "1"},
-        {"KD_LONG_TRAIL", flag(walks && s.trace.traversal == Traversal::restart && s.needs.levels > short_trail)},
+        {"KD_STACK_SIZE", info(s.trace.traversal).has(walk_stack) && walks ? std::to_string(s.needs.levels) : "1"},
+        {"KD_LONG_TRAIL", flag(walks && info(s.trace.traversal).has(walk_trail) && s.needs.levels > short_trail)},
+        {"KD_ENTRY", step != Step::rt_prim     ? "0"
+                     : enters_by_tile(s.trace) ? "2"
+                     : enters_by_eye(s.trace)  ? "1"
+                                               : "0"},
+        {"KD_SHORT_STACK",
+         walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
         {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
         {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)},

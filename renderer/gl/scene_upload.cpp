@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include "renderer/kdtree/encode.h"
+#include "renderer/kdtree/ropes.h"
 
 namespace kd {
 
@@ -59,6 +60,15 @@ std::vector<Vec4> encode_boxes(const std::vector<Aabb>& boxes) {
     return texels;
 }
 
+/// All boxes, then two texels of ropes per node: whole numbers, like the nodes' own links.
+std::vector<Vec4> encode_boxes_and_ropes(const KdTree& tree, bool optimised) {
+    std::vector<Vec4> texels = encode_boxes(node_boxes(tree));
+    const std::vector<std::int32_t> ropes = make_ropes(tree, optimised);
+    for (std::size_t i = 0; i < ropes.size(); i += 3)
+        texels.emplace_back(float(ropes[i]), float(ropes[i + 1]), float(ropes[i + 2]), 0.0f);
+    return texels;
+}
+
 std::vector<Vec4> encode_normals(const FlatScene& scene) {
     std::vector<Vec4> texels;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
@@ -85,7 +95,7 @@ std::vector<Rgba8> encode_texels(const FlatScene& scene) {
     return texels;
 }
 
-gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget, int only_material) {
+gl_blocks::SceneBlock encode_block(const FlatScene& scene, int nodes, int step_budget, int only_material) {
     const int lights_at = 3 * int(scene.materials.size());
     const int textures_at = lights_at + 4 * int(scene.lights.size());
     return {
@@ -94,7 +104,7 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene, int step_budget, int 
         .ambient = Vec4(scene.ambient, 0.0f),
         .background = Vec4(scene.background, 1.0f),
         .counts = {int(scene.triangles.size()), int(scene.lights.size()), lights_at, textures_at},
-        .limits = {step_budget, loop_check_rounds, only_material, 0},
+        .limits = {step_budget, loop_check_rounds, only_material, nodes},
     };
 }
 
@@ -112,7 +122,7 @@ void SceneUpload::set_block(int step_budget, int only_material) {
     const std::array<int, 2> wanted{budget, only_material};
     if (block_holds_ == wanted) return;
     block_holds_ = wanted;
-    block_.set(gl_, encode_block(scene_, budget, only_material));
+    block_.set(gl_, encode_block(scene_, int(tree_.nodes.size()), budget, only_material));
 }
 
 void SceneUpload::upload_references(bool wide) {
@@ -139,7 +149,14 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
     };
     keep(material_index_, needs.material_numbers, GL_R32I, "material numbers",
          [&] { return encode_material_index(scene_); });
-    keep(boxes_, needs.node_boxes, GL_RGBA32F, "node boxes", [&] { return encode_boxes(node_boxes(tree_)); });
+    keep(boxes_, needs.node_boxes && !needs.ropes, GL_RGBA32F, "node boxes",
+         [&] { return encode_boxes(node_boxes(tree_)); });
+    if (!enters_by_tile(config)) cells_ = {};
+    if (enters_by_tile(config) && cells_.empty()) cells_ = node_boxes(tree_);
+    if (optimised_ropes_ != needs.optimised_ropes) boxes_and_ropes_ = {};
+    optimised_ropes_ = needs.optimised_ropes;
+    keep(boxes_and_ropes_, needs.ropes, GL_RGBA32F, "node boxes and ropes",
+         [&] { return encode_boxes_and_ropes(tree_, needs.optimised_ropes); });
     keep(leaf_corners_, needs.leaf_copies, GL_RGBA32F, "leaf triangles",
          [&] { return encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)); });
     keep(normals_, needs.normals, GL_RGBA32F, "normals", [&] { return encode_normals(scene_); });
@@ -151,7 +168,7 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
 void SceneUpload::bind() const {
     block_.bind(gl_, scene_block);
     nodes_.bind(gl_, Unit::nodes);
-    boxes_.bind(gl_, Unit::boxes);
+    (boxes_and_ropes_ ? boxes_and_ropes_ : boxes_).bind(gl_, Unit::boxes);
     references_.bind(gl_, Unit::references);
     leaf_corners_.bind(gl_, Unit::leaf_corners);
     corners_.bind(gl_, Unit::corners);
@@ -164,7 +181,7 @@ void SceneUpload::bind() const {
 
 void SceneUpload::add_to(GlMemory& memory) const {
     memory.nodes += nodes_.bytes();
-    memory.boxes += boxes_.bytes();
+    memory.boxes += boxes_.bytes() + boxes_and_ropes_.bytes();
     memory.references += references_.bytes();
     memory.triangles += corners_.bytes() + leaf_corners_.bytes();
     memory.attributes += material_index_.bytes() + normals_.bytes() + texture_coordinates_.bytes() + tables_.bytes();

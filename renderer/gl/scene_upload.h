@@ -8,6 +8,7 @@
 #include "renderer/gl/gl_limits.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/gl/uniform_buffer.h"
+#include "renderer/kdtree/entry.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
@@ -26,6 +27,10 @@ class SceneUpload {
     void add_to(GlMemory& memory) const;
 
     [[nodiscard]] const FlatScene& scene() const { return scene_; }
+    /// Where primary rays begin; after prepare() with the same configuration.
+    [[nodiscard]] EntryPoints entries(const TraceConfig& config, const SeenArea& area) const {
+        return entry_points(tree_, cells_, config, area);
+    }
     [[nodiscard]] const SceneFacts& facts() const { return facts_; }
 
   private:
@@ -38,11 +43,12 @@ class SceneUpload {
     const KdTree& tree_;
     UploadSizes sizes_;
     SceneFacts facts_;
+    std::vector<Aabb> cells_;           // of the nodes, where entry points are looked for
     std::array<int, 2> block_holds_{};  // step budget and only material
-    bool wide_references_ = false;
+    bool wide_references_ = false, optimised_ropes_ = false;
     UniformBuffer<gl_blocks::SceneBlock> block_;
     BufferTexture nodes_, corners_, tables_;
-    BufferTexture references_, material_index_, boxes_, leaf_corners_, normals_, texture_coordinates_,
+    BufferTexture references_, material_index_, boxes_, boxes_and_ropes_, leaf_corners_, normals_, texture_coordinates_,
         texels_;  // as asked for
 };
 

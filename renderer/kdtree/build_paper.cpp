@@ -1,8 +1,9 @@
 // The paper's builder (its section 2.3.1): surface area heuristic at the starts and ends of the triangles' projections,
-// along the longest axis where that serves, else along the axis of lowest cost.
+// along the longest axis where that serves.
 //
-// The paper's "if a suitable split position is not found" is read as: none that costs less than a leaf. It leaves the
-// rules for stopping open; those of grow.cpp are the ones of Pharr & Humphreys, "Physically Based Rendering".
+// The paper's "if a suitable split position is not found" is read as: none that costs less than a leaf. What follows, to
+// cycle through the other axes and choose the lowest cost, can be read in two ways: the cheapest of all axes, or the
+// cheapest on the first axis that serves. Both are here. It leaves the rules for stopping open; those of grow.cpp are the ones of Pharr & Humphreys, "Physically Based Rendering".
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/grow.h"
@@ -12,10 +13,13 @@ namespace kd {
 
 namespace {
 
+/// How the axes after the longest are tried.
+enum class Cycle { all_of_them, until_one_serves };
+
 class PaperSplitter : public Splitter {
   public:
-    PaperSplitter(const BuildTask& task, const TriangleRanges& ranges)
-        : config_(task.config), events_(ranges, task.stop) {}
+    PaperSplitter(const BuildTask& task, const TriangleRanges& ranges, Cycle cycle)
+        : config_(task.config), cycle_(cycle), events_(ranges, task.stop) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         const int triangles = int(lists.top().size());
@@ -26,7 +30,7 @@ class PaperSplitter : public Splitter {
             const int axis = (first_axis + i) % 3;
             const auto split = cheapest_split(config_, cell, axis, triangles, events_.top(axis));
             if (split && (!best || split->cost < best->cost)) best = split;
-            if (i == 0 && best && best->cost < leaf) break;
+            if ((i == 0 || cycle_ == Cycle::until_one_serves) && best && best->cost < leaf) break;
         }
         if (!best) return std::nullopt;
         best->bad = !(best->cost < leaf);
@@ -42,20 +46,31 @@ class PaperSplitter : public Splitter {
 
   private:
     const BuildConfig& config_;
+    Cycle cycle_;
     SweepEvents events_;
 };
 
+template <Cycle cycle>
 KdTree build_paper(const BuildTask& task) {
     const TriangleRanges ranges(task.triangles);
-    PaperSplitter splitter(task, ranges);
+    PaperSplitter splitter(task, ranges, cycle);
     return grow_tree(task, ranges, splitter);
 }
 
 }  // namespace
 
 Builder paper_builder() {
-    return {"paper", "SAH as in the paper",
-            "Surface area heuristic over the ends of triangle projections, longest axis first.", build_paper};
+    return {
+        "paper", "SAH as in the paper",
+        "Surface area heuristic over the ends of triangle projections, longest axis first, else the cheapest of all.",
+        build_paper<Cycle::all_of_them>};
+}
+
+Builder paper_cycle_builder() {
+    return {"paper-cycle", "SAH as in the paper, other reading",
+            "Surface area heuristic over the ends of triangle projections, on the first axis that serves from the "
+            "longest on.",
+            build_paper<Cycle::until_one_serves>};
 }
 
 }  // namespace kd

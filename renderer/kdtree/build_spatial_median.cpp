@@ -15,12 +15,7 @@ class MiddleSplitter : public Splitter {
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         const int axis = longest_axis(cell);
         // Halves are added, not the whole extent halved: that would overflow in huge scenes.
-        const float middle = 0.5f * cell.lower[axis] + 0.5f * cell.upper[axis];
-        if (!(middle > cell.lower[axis] && middle < cell.upper[axis])) return std::nullopt;
-        Split split = lists.count(axis, middle);
-        const double cost = SplitCost(config_, cell, axis)(middle, split.below, split.above);
-        split.bad = !(cost < leaf_cost(config_, int(lists.top().size())));
-        return split;
+        return judged_split(config_, cell, lists, axis, 0.5f * cell.lower[axis] + 0.5f * cell.upper[axis]);
     }
 
   private:

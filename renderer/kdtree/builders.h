@@ -5,9 +5,11 @@
 
 #define KD_BUILDERS(BUILDER)                                                                                           \
     BUILDER(paper)                                                                                                     \
+    BUILDER(paper_cycle)                                                                                               \
     BUILDER(exact)                                                                                                     \
     BUILDER(binned)                                                                                                    \
-    BUILDER(spatial_median)
+    BUILDER(spatial_median)                                                                                            \
+    BUILDER(object_median)
 
 namespace kd {
 

@@ -1,5 +1,6 @@
 #include "renderer/kdtree/cell_lists.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace kd {
@@ -35,6 +36,16 @@ Split CellLists::count(int axis, float position, bool planar_below) const {
         split.above += int(sides >> 1);
     }
     return split;
+}
+
+AxisRange CellLists::covered(int axis, const Aabb& cell) const {
+    AxisRange all{cell.upper[axis], cell.lower[axis]};
+    for (const std::int32_t number : top()) {
+        const AxisRange range = ranges_.axis[std::size_t(axis)][std::size_t(number)];
+        all.lower = std::min(all.lower, range.lower);
+        all.upper = std::max(all.upper, range.upper);
+    }
+    return {std::max(all.lower, cell.lower[axis]), std::min(all.upper, cell.upper[axis])};
 }
 
 void CellLists::divide(const Split& split) {

@@ -42,6 +42,9 @@ class CellLists {
     /// Counts for a split of the top cell at a given plane.
     [[nodiscard]] Split count(int axis, float position, bool planar_below = true) const;
 
+    /// What the boxes of the top cell's triangles cover on an axis, cut to the cell; the other way round where there are none.
+    [[nodiscard]] AxisRange covered(int axis, const Aabb& cell) const;
+
     /// A triangle goes to the sides its box reaches into; one that lies in the plane goes where the split says.
     void divide(const Split& split);
 

@@ -1,5 +1,6 @@
 #include "renderer/kdtree/grow.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "renderer/kdtree/coverage.h"
@@ -65,13 +66,32 @@ class Grower {
             task_.report.depth_limit_hit = true;
             return std::nullopt;
         }
-        const std::optional<Split> split = splitter_.choose(at.cell, lists_);
+        std::optional<Split> split = cut_empty_space(at.cell);
+        if (!split) split = splitter_.choose(at.cell, lists_);
         if (!split || at.bad_refines + split->bad > task_.config.bad_refines) return std::nullopt;
         if (std::int64_t(split->below) + split->above > at.allowance) {
             task_.report.reference_cap_hit = true;
             return std::nullopt;
         }
         return split;
+    }
+
+    /// The plane that cuts off the largest share of the top cell without triangles, where that is large enough.
+    [[nodiscard]] std::optional<Split> cut_empty_space(const Aabb& cell) const {
+        double largest = double(task_.config.empty_cut);
+        if (!(largest > 0)) return std::nullopt;
+        std::optional<Split> best;
+        for (int axis = 0; axis < 3; ++axis) {
+            const AxisRange covered = lists_.covered(axis, cell);
+            const double lower = double(cell.lower[axis]), extent = double(cell.upper[axis]) - lower;
+            const double before = (double(covered.lower) - lower) / extent;
+            const double behind = (double(cell.upper[axis]) - double(covered.upper)) / extent;
+            const bool front = before >= behind;
+            if (!(std::max(before, behind) >= largest)) continue;
+            largest = std::max(before, behind);
+            best = lists_.count(axis, front ? covered.lower : covered.upper, !front);
+        }
+        return best;
     }
 
     void make_interior(int node, const Pending& at, const Split& split) {

@@ -17,6 +17,15 @@ SplitCost::SplitCost(const BuildConfig& config, const Aabb& cell, int axis)
     gate_ = double(config.empty_bonus_gate) * extent[axis];
 }
 
+std::optional<Split> judged_split(const BuildConfig& config, const Aabb& cell, const CellLists& lists, int axis,
+                                  float position) {
+    if (!(position > cell.lower[axis] && position < cell.upper[axis])) return std::nullopt;
+    Split split = lists.count(axis, position);
+    const double cost = SplitCost(config, cell, axis)(position, split.below, split.above);
+    split.bad = !(cost < leaf_cost(config, int(lists.top().size())));
+    return split;
+}
+
 std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis, int triangles,
                                           std::span<const SweepEvent> events) {
     const SplitCost cost_of(config, cell, axis);

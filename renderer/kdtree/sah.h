@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/kdtree/build.h"
+#include "renderer/kdtree/cell_lists.h"
 #include "renderer/kdtree/sweep_events.h"
 
 namespace kd {
@@ -35,6 +36,11 @@ class SplitCost {
     double gate_;  // least width of an empty side that earns the bonus
     double traversal_, intersection_, intersection_empty_;
 };
+
+/// The split of the top cell at a plane that something else has chosen, bad where it costs no less than a leaf; nothing
+/// where the plane does not lie inside the cell.
+[[nodiscard]] std::optional<Split> judged_split(const BuildConfig& config, const Aabb& cell, const CellLists& lists,
+                                                int axis, float position);
 
 /// A split with its cost.
 struct PricedSplit : Split {

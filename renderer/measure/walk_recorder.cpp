@@ -7,6 +7,7 @@
 
 #include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
+#include "renderer/kdtree/ropes.h"
 #include "renderer/trace/counters.h"
 #include "renderer/trace/observer.h"
 
@@ -67,7 +68,10 @@ struct Recording {
         view.scene = &asked.scene;
         view.tree = &asked.tree;
         view.needs = scene_needs(asked.scene, asked.tree, asked.config);
-        if (info(asked.config.traversal).needs_boxes) view.boxes = node_boxes(asked.tree);
+        if (info(asked.config.traversal).has(walk_boxes) || enters_by_tile(asked.config))
+            view.boxes = node_boxes(asked.tree);
+        if (info(asked.config.traversal).has(walk_ropes))
+            view.ropes = make_ropes(asked.tree, asked.config.optimised_ropes);
         with_stack.traversal = Traversal::stack;
     }
 };
@@ -77,7 +81,14 @@ void record_block(Recording& recording, BlockWalks& block) {
     const WalkRequest& request = recording.request;
     const auto pass = std::size_t(request.rays);
     const int2 size(request.width, request.height);
-    const TileJob job{recording.view, request.config, request.camera, block.area, recording.none};
+    const TileJob job{recording.view,
+                      request.config,
+                      request.camera,
+                      block.area,
+                      recording.none,
+                      entry_points(request.tree, recording.view.boxes, request.config,
+                                   {request.camera, request.width, request.height, block.area.x0, block.area.y0,
+                                    block.area.x1, block.area.y1})};
     WalkObserver nobody;
     Kernel<WalkObserver, rules> kernel(recording.view, request.config, nobody);
     CountingObserver uncounted;

@@ -86,8 +86,10 @@ FeatureNeed wide_references(Facts f, Config) {
 }
 
 FeatureNeed deep_tree(Facts f, Config c) {
-    const bool trail = c.traversal == Traversal::restart && c.rules == Rules::robust;
-    if (!info(c.traversal).needs_stack && !trail) return refused("this walk keeps neither stack nor trail");
+    const TraversalInfo& walk = info(c.traversal);
+    const bool published = c.rules != Rules::robust && walk.has_published_form();
+    const bool trail = walk.has(walk_trail) && !published;
+    if (!walk.has(walk_stack) && !trail) return refused("this walk keeps neither stack nor trail");
     const int levels = compiled_levels(f.deepest_leaf);
     const bool full = levels == max_tree_depth || (trail && f.deepest_leaf > short_trail);
     const std::string deepest = fmt::format("the deepest leaf lies at {}", f.deepest_leaf);
@@ -95,8 +97,15 @@ FeatureNeed deep_tree(Facts f, Config c) {
 }
 
 FeatureNeed node_boxes(Facts, Config c) {
-    return info(c.traversal).needs_boxes ? needed(fmt::format("{} climbs by them", info(c.traversal).name))
-                                         : idle(fmt::format("{} never climbs", info(c.traversal).name));
+    const TraversalInfo& walk = info(c.traversal);
+    if (walk.has(walk_boxes)) return needed(fmt::format("{} reads them", walk.name));
+    if (enters_by_tile(c)) return needed("entry points of tiles are cells to enter");
+    return idle(fmt::format("{} has its interval instead", walk.name));
+}
+
+FeatureNeed ropes(Facts, Config c) {
+    const TraversalInfo& walk = info(c.traversal);
+    return walk.has(walk_ropes) ? needed("the walk goes along them") : idle(fmt::format("{} follows none", walk.name));
 }
 
 FeatureNeed leaf_copies(Facts, Config c) {
@@ -150,8 +159,10 @@ constexpr std::array table{
     FeatureInfo{Feature::deep_tree, "deep-tree", "room for 64 levels",
                 "A stack of 64 entries, or a restart trail of 64 bits, whatever the tree's depth.",
                 &SceneNeeds::deep_tree, false, deep_tree},
-    FeatureInfo{Feature::node_boxes, "node-boxes", "node boxes", "Two corners per node, for walks that climb.",
+    FeatureInfo{Feature::node_boxes, "node-boxes", "node boxes", "Two corners per node, for walks that climb or cross.",
                 &SceneNeeds::node_boxes, true, node_boxes},
+    FeatureInfo{Feature::ropes, "ropes", "ropes", "Six links per node, to what lies beyond the faces of its cell.",
+                &SceneNeeds::ropes, true, ropes},
     FeatureInfo{Feature::leaf_copies, "leaf-copies", "copies in leaves",
                 "Three vertices per entry of the leaf lists, read instead of the triangles'.", &SceneNeeds::leaf_copies,
                 true, leaf_copies},

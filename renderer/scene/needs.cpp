@@ -57,6 +57,7 @@ SceneNeeds scene_needs(const SceneFacts& facts, const TraceConfig& config) {
     }
     if (needs.reflections) needs.bounces = std::max(countable_bounces(facts, config), 1);
     if (needs.later_bounces) needs.bounces = config.reflection_depth;
+    needs.optimised_ropes = config.optimised_ropes;
     needs.lights = needs.many_lights ? 0 : std::min(facts.lights, 1);
     needs.only_material = needs.material_numbers ? 0 : facts.only_material;
     needs.levels = needs.deep_tree ? max_tree_depth : compiled_levels(facts.deepest_leaf);

@@ -43,6 +43,8 @@ struct SceneNeeds {
     bool wide_references = false;
     bool deep_tree = false;
     bool node_boxes = false;
+    bool ropes = false;
+    bool optimised_ropes = true;
     bool leaf_copies = false;
     bool counters = true;
     bool exact_products = true;

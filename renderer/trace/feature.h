@@ -21,6 +21,7 @@ enum class Feature {
     wide_references,
     deep_tree,
     node_boxes,
+    ropes,
     leaf_copies,
     counters,
     exact_products,

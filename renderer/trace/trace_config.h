@@ -14,6 +14,12 @@ struct TraceConfig {
     Traversal traversal = Traversal::stack;
     Rules rules = Rules::robust;
     LeafLists leaf_lists = LeafLists::references;
+    int short_stack = 4;          // entries that Traversal::short_stack keeps, 1 to max_short_stack
+    bool optimised_ropes = true;  // ropes lead to the smallest cell beyond a face, not to the sibling across the plane
+    bool eye_leaf = false;        // with ropes, primary rays begin in the leaf that the camera is in
+    int entry_tile =
+        0;  // without ropes, primary rays begin at the entry point of their tile of so many pixels each way; 0
+            // = at the root
     bool shadows = true;
     int reflection_depth = 1;           // bounces; the paper's one-bounce reflection
     float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255
@@ -23,5 +29,16 @@ struct TraceConfig {
 
     bool operator==(const TraceConfig&) const = default;
 };
+
+/// Primary rays begin in the leaf of the eye: only ropes lead on from there.
+[[nodiscard]] inline bool enters_by_eye(const TraceConfig& config) {
+    return config.eye_leaf && info(config.traversal).has(walk_ropes);
+}
+
+/// Primary rays begin at entry points of tiles: robust walks down from a node, which ropes and the naive loop are not.
+[[nodiscard]] inline bool enters_by_tile(const TraceConfig& config) {
+    return config.entry_tile > 0 && config.rules == Rules::robust && config.traversal != Traversal::naive &&
+           !info(config.traversal).has(walk_ropes);
+}
 
 }  // namespace kd

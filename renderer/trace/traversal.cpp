@@ -4,8 +4,8 @@ namespace kd {
 
 namespace {
 constexpr TraversalInfo table[] = {
-#define KD_TRAVERSAL(name, label, published, needs_boxes, needs_stack, summary)                                        \
-    {Traversal::name, label, "traverse_" #name, #published, needs_boxes, needs_stack, summary},
+#define KD_TRAVERSAL(name, label, published, needs, summary, paragraph, source)                                        \
+    {Traversal::name, label, "traverse_" #name, #published, needs, summary, paragraph, source},
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
 };

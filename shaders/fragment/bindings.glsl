@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform SceneUniforms { SceneBlock scene; };
 layout(std140, binding = 1) uniform FrameUniforms { FrameBlock frame; };
 
 layout(binding = 0) uniform samplerBuffer kd_nodes;           // the paper's texels: flag, split or count, link, parent
-layout(binding = 1) uniform samplerBuffer kd_boxes;           // two texels per node: lower, upper
+layout(binding = 1) uniform samplerBuffer kd_boxes;           // two texels per node: lower, upper; then, if any, two of ropes
 layout(binding = 2) uniform usamplerBuffer kd_references;     // triangle numbers of 16 or 32 bits, leaf by leaf
 layout(binding = 3) uniform samplerBuffer kd_leaf_corners;    // three texels per entry of the leaf lists
 layout(binding = 4) uniform samplerBuffer kd_corners;         // three texels per triangle

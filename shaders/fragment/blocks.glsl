@@ -8,10 +8,11 @@ struct SceneBlock {
     real4 ambient;
     real4 background;
     int4 counts;
-    int4 limits; // steps per ray, rounds of the loop check, the material where all triangles have one
+    int4 limits; // steps per ray, rounds of the loop check, the material where all triangles have one, number of nodes
 };
 
-/// What a draw fixes. image = width, height; rays = any_hit, number of rays, rays per row.
+/// What a draw fixes. image = width, height; rays = any_hit, number of rays, rays per row, and the
+/// node that primary rays begin at.
 struct FrameBlock {
     real4 eye;
     real4 right;
@@ -20,4 +21,5 @@ struct FrameBlock {
     int4 image;
     int4 rays;
     real4 criteria; // x = least contribution of a reflection
+    int4 entry;     // of tiles with entry points: the first pixel, pixels each way, tiles in a row
 };

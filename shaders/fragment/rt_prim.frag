@@ -19,9 +19,24 @@ float depth_of(Path path)
 #endif
 }
 
+#if KD_ENTRY == 2
+layout(binding = 10) uniform isamplerBuffer kd_entries; // the node of each tile of the area, row by row
+#endif
+
+void set_entry()
+{
+#if KD_ENTRY == 1
+    walk_entry = frame.rays.w;
+#elif KD_ENTRY == 2
+    int2 tile = (this_pixel() - frame.entry.xy) / frame.entry.z;
+    walk_entry = texelFetch(kd_entries, tile.y * frame.entry.w + tile.x).x;
+#endif
+}
+
 void main()
 {
     count_shaded();
+    set_entry();
     Path path = trace_primary(frame_camera(), this_pixel(), frame.image.xy);
     out_hit = pack_hit(path.hit);
     gl_FragDepth = depth_of(path);

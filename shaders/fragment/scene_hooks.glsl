@@ -24,6 +24,21 @@ void fetch_node_box(int node, out real3 lower, out real3 upper)
     upper = texelFetch(kd_boxes, 2 * node + 1).xyz;
 }
 
+/// Behind the boxes of all nodes.
+int fetch_rope(int node, int face)
+{
+    return int(texelFetch(kd_boxes, 2 * scene.limits.w + 2 * node + face / 3)[face % 3]);
+}
+
+#if KD_ENTRY
+/// Where the walks that follow begin; rt_prim.frag sets it for primary rays.
+int walk_entry = 0;
+int entry_node() { return walk_entry; }
+#else
+int entry_node() { return 0; }
+#endif
+int short_stack_entries() { return KD_SHORT_STACK; }
+
 void fetch_bounds(out real3 lower, out real3 upper)
 {
     lower = scene.bounds_lower.xyz;

@@ -57,6 +57,16 @@
 #define KD_LONG_TRAIL 1
 #endif
 
+// Where primary rays begin: 0 = at the root, 1 = at the node that the frame's block names, 2 = at that of their tile.
+#ifndef KD_ENTRY
+#define KD_ENTRY 0
+#endif
+
+// Entries that the short stack keeps.
+#ifndef KD_SHORT_STACK
+#define KD_SHORT_STACK 4
+#endif
+
 // How a walk decides: KD_RULES_ROBUST or another KD_RULES_... of shared/constants.glsl.
 #ifndef KD_RULES
 #define KD_RULES 0

@@ -5,6 +5,7 @@
 //           void fetch_node_box(int node, OUT lower, OUT upper)   void fetch_bounds(OUT lower, OUT upper)
 //           void fetch_corners(int slot, int triangle, int3 axes, OUT a, OUT b, OUT c)   slot is -1 outside leaf lists
 //           void fetch_normals(int triangle, OUT a, OUT b, OUT c)  real2 fetch_texture_coordinates(int triangle, real u, real v)
+//           int fetch_rope(int node, int face)              int entry_node()        int short_stack_entries()
 //           int fetch_material_index(int triangle)          Material fetch_material(int)   Light fetch_light(int)
 //           int2 fetch_texture_size(int)                    real3 fetch_texel(int texture, int x, int y)
 //           int triangle_count()   int light_count()        int step_budget()
@@ -13,7 +14,7 @@
 //           real3 scene_ambient()      real3 scene_background()
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)
-// Macros:   KD_TRAVERSE (function to call), KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_CORRECTED_ROUNDING, KD_STACK_SIZE, KD_LONG_TRAIL, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
+// Macros:   KD_TRAVERSE (function to call), KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_CORRECTED_ROUNDING, KD_STACK_SIZE, KD_LONG_TRAIL, KD_SHORT_STACK, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
 //           AXIS(vector, axis) (component by number), IS_NAN(x)
 
 #include "vector.glsl"

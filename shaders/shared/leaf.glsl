@@ -10,8 +10,9 @@ KD_FN void test_leaf(IN(RaySetup) s, IN(KdNode) leaf, INOUT(Hit) hit)
     }
 }
 
-/// Cuts the ray to the tree's bounds. False, with the exit reason told, where the ray is invalid or misses them.
-KD_FN bool enter_tree(IN(RaySetup) s, OUT(real) t_begin, OUT(real) t_end)
+/// Cuts the ray to a node's cell, the tree's bounds for the root. False, with the exit reason told, where the ray is invalid
+/// or misses them.
+KD_FN bool enter_at(IN(RaySetup) s, int node, OUT(real) t_begin, OUT(real) t_end)
 {
     t_begin = s.ray.t_min;
     t_end = s.ray.t_max;
@@ -21,13 +22,21 @@ KD_FN bool enter_tree(IN(RaySetup) s, OUT(real) t_begin, OUT(real) t_end)
     }
     real3 lower;
     real3 upper;
-    fetch_bounds(lower, upper);
+    if (node == 0)
+        fetch_bounds(lower, upper);
+    else
+        fetch_node_box(node, lower, upper);
     bool empty = !(lower.x <= upper.x);
     if (empty || !clip_to_box(s, lower, upper, t_begin, t_end)) {
         on_exit(KD_EXIT_MISS);
         return false;
     }
     return true;
+}
+
+KD_FN bool enter_tree(IN(RaySetup) s, OUT(real) t_begin, OUT(real) t_end)
+{
+    return enter_at(s, 0, t_begin, t_end);
 }
 
 KD_FN void finish_walk(IN(Hit) hit)

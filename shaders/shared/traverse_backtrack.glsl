@@ -6,11 +6,12 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     real root_begin;
     real root_end;
-    if (!enter_tree(s, root_begin, root_end)) return;
+    int top = entry_node();
+    if (!enter_at(s, top, root_begin, root_end)) return;
 
     real t_begin = root_begin;
     real t_end = root_end;
-    int node = 0;
+    int node = top;
     int budget = step_budget();
 
     while (true) {
@@ -37,16 +38,15 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         on_leaf(node);
         test_leaf(s, n, hit);
         if (any_hit && hit.triangle >= 0) break;
-        if (n.parent < 0) break;
+        if (node == top) break;
 
         // Climb until a far child's box still meets the ray before the nearest hit.
         on_backtrack();
         bool found = false;
-        int parent = n.parent;
-        while (parent >= 0 && !found && budget > 0) {
+        while (node != top && !found && budget > 0) {
             --budget;
             int child = node;
-            node = parent;
+            node = n.parent;
             n = fetch_node(node);
             on_interior(node, true);
             bool below_first = below_comes_first(s, n.flag, n.split);
@@ -62,7 +62,6 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
                     found = true;
                 }
             }
-            parent = n.parent;
         }
         if (!found) {
             if (KD_RARE(budget <= 0)) {

@@ -4,13 +4,13 @@ KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 {
     real t_begin;
     real t_end;
-    if (!enter_tree(s, t_begin, t_end)) return;
+    int node = entry_node();
+    if (!enter_at(s, node, t_begin, t_end)) return;
 
     int stack_node[KD_STACK_SIZE];
     real stack_begin[KD_STACK_SIZE];
     real stack_end[KD_STACK_SIZE];
     int depth = 0;
-    int node = 0;
     int budget = step_budget();
 
     while (true) {

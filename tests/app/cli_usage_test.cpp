@@ -124,8 +124,9 @@ TEST(CliUsage, UnknownCommandNamesCommandsAndScenes) {
 }
 
 TEST(C06, UnknownNameSaysOptionValueAndKnownValues) {
-    expect_usage_error(run_kdscope({"render", "cornell", "-o", "x.png", "--traversal", "ropes"}),
-                       {"--traversal", "'ropes'", "known: naive, stack, restart, backtrack"});
+    expect_usage_error(
+        run_kdscope({"render", "cornell", "-o", "x.png", "--traversal", "octree"}),
+        {"--traversal", "'octree'", "known: naive, stack, restart, backtrack, push-down, short-stack, ropes"});
     expect_usage_error(run_kdscope({"render", "cornell", "-o", "x.png", "--rules", "as-printed"}),
                        {"--rules", "'as-printed'", "known: robust, as-published, first-edition"});
     expect_usage_error(run_kdscope({"stats", "cornell", "--builder", "best"}),

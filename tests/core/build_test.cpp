@@ -32,6 +32,17 @@ TEST(SpatialMedianBuilder, HalvesTheLongestAxis) {
     EXPECT_EQ(build_tree(test::two_slabs(), config), expected);
 }
 
+TEST(ObjectMedianBuilder, PutsHalfOfTheTrianglesOnEitherSide) {
+    std::vector<Triangle> slabs;
+    for (const float x : {0.0f, 1.0f, 2.0f, 100.0f}) slabs.push_back(test::slab(x, x + 0.5f));
+    const KdTree tree = build_tree(slabs, {.builder = "object-median", .leaf_size = 2});
+    ASSERT_EQ(tree.nodes.size(), 3u);
+    EXPECT_EQ(tree.nodes[0].split, 1.75f) << "between the second and the third of four middles";
+    EXPECT_EQ(faults(tree, slabs), "");
+    const KdTree halves = build_tree(slabs, {.builder = "spatial-median", .leaf_size = 2});
+    EXPECT_EQ(halves.nodes[0].split, 50.25f) << "where the other builder cuts";
+}
+
 class EveryBuilder : public testing::TestWithParam<Builder> {
   protected:
     /// Deeper than the defaults, so that the limits come into play.
@@ -200,6 +211,54 @@ TEST(Build, IdenticalTrianglesStayInOneLeaf) {
         EXPECT_FALSE(report.depth_limit_hit || report.reference_cap_hit);
         EXPECT_EQ(faults(tree, same), "");
     }
+}
+
+/// Interior nodes of which at least `share` of the cell, from one face on, lies before or behind all of their triangles,
+/// and how many of these have an empty leaf for a child.
+std::pair<int, int> emptied(const KdTree& tree, const std::vector<Triangle>& triangles, double share) {
+    const std::vector<Aabb> cells = node_boxes(tree);
+    std::vector<Aabb> covered(tree.nodes.size());
+    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+        const TreeNode& n = tree.nodes[i];
+        if (n.is_leaf())
+            for (int k = 0; k < n.count; ++k) {
+                const Aabb box = bounds_of(triangles[std::size_t(tree.references[std::size_t(n.link + k)])]);
+                covered[i].include(box.lower);
+                covered[i].include(box.upper);
+            }
+        if (n.parent < 0 || covered[i].empty()) continue;
+        covered[std::size_t(n.parent)].include(covered[i].lower);
+        covered[std::size_t(n.parent)].include(covered[i].upper);
+    }
+    int wide = 0, cut = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const TreeNode& n = tree.nodes[i];
+        if (n.is_leaf()) continue;
+        bool has_margin = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float least = float(share) * (cells[i].upper[axis] - cells[i].lower[axis]);
+            has_margin = has_margin || covered[i].lower[axis] - cells[i].lower[axis] > least ||
+                         cells[i].upper[axis] - covered[i].upper[axis] > least;
+        }
+        const auto is_empty = [&](int child) {
+            const TreeNode& c = tree.nodes[std::size_t(child)];
+            return c.is_leaf() && c.count == 0;
+        };
+        wide += has_margin;
+        cut += has_margin && (is_empty(int(i) + 1) || is_empty(n.link));
+    }
+    return {wide, cut};
+}
+
+TEST_P(EveryBuilder, CutsOffEmptySpaceFirst) {
+    const std::vector<Triangle> soup = test::random_soup(300, 0.05f, 8);
+    config_.trim_leaves = false;
+    const auto [wide_before, cut_before] = emptied(build_sound(soup), soup, 0.26);
+    config_.empty_cut = 0.25f;
+    const auto [wide, cut] = emptied(build_sound(soup), soup, 0.26);
+    EXPECT_GT(wide, 10);
+    EXPECT_EQ(cut, wide);
+    EXPECT_LT(cut_before, wide_before) << "or the option would change nothing";
 }
 
 TEST(Build, NodesOfLeafSizeAreNotSplit) {

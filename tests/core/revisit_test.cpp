@@ -7,6 +7,7 @@
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/kdtree/build.h"
+#include "renderer/kdtree/ropes.h"
 #include "renderer/trace/observer.h"
 #include "tests/support/scenes.h"
 
@@ -41,6 +42,7 @@ int check(Traversal traversal, const FlatScene& scene, const KdTree& tree, const
     view.scene = &scene;
     view.tree = &tree;
     view.boxes = node_boxes(tree);
+    view.ropes = make_ropes(tree, true);
     int again = 0;
     TraceConfig config;
     config.traversal = traversal;
@@ -49,7 +51,8 @@ int check(Traversal traversal, const FlatScene& scene, const KdTree& tree, const
         test_kernel::Kernel<SetObserver, rules> kernel(view, config, seen);
         Hit hit = kernel.no_hit(ray);
         kernel.traverse(ray, false, hit);
-        EXPECT_TRUE(seen.consistent) << test::hex(ray);
+        // A ray that leaves its ropes for kd-restart begins a walk of its own.
+        EXPECT_TRUE(seen.consistent || (traversal == Traversal::ropes && seen.detours > 0)) << test::hex(ray);
         EXPECT_TRUE(seen.again_count == 0 || seen.detours > 0) << "re-visits without a way back: " << test::hex(ray);
         again += seen.again_count;
         if (testing::Test::HasFailure()) break;

@@ -104,6 +104,17 @@ TEST(PaperBuilder, OtherAxesAreTriedWhereItDoesNot) {
     EXPECT_EQ(tree.nodes[0].split, 0.25f);
 }
 
+TEST(PaperBuilder, TheOtherAxesCanBeReadInTwoWays) {
+    // Both triangles span the longest axis; y and z have gaps, and the faces between the parts are smaller across z.
+    const std::vector<Triangle> triangles{test::triangle_filling({0, 0, 0}, {4, 0.5f, 1}),
+                                          test::triangle_filling({0, 1.5f, 2}, {4, 2, 3})};
+    const auto axis = [&](const char* builder) {
+        return build_tree(triangles, {.builder = builder, .intersection_cost = 4.0f, .leaf_size = 1}).nodes[0].flag;
+    };
+    EXPECT_EQ(axis("paper"), 2) << "the cheapest of all";
+    EXPECT_EQ(axis("paper-cycle"), 1) << "the first that serves";
+}
+
 TEST(PaperBuilder, BadSplitsAreLimited) {
     // [0, 1] and [0.5, 1.5]: cutting at 0.5 or 1 costs 1 + 1.5 * (4 + 2 * 6) / 8 = 4 against 3 for the leaf.
     const std::vector<Triangle> triangles{test::slab(0.0f, 1.0f), test::slab(0.5f, 1.5f)};

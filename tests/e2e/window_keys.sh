@@ -16,8 +16,10 @@ wait_for '^counters.primary.restarts=[1-9]'
 press t
 wait_for '^settings.traversal=backtrack$'
 wait_for '^counters.primary.backtracks=[1-9]'
-press t
-wait_for '^settings.traversal=stack$'
+for walk in push-down short-stack ropes stack; do
+    press t
+    wait_for "^settings.traversal=$walk\$"
+done
 
 press h
 wait_for '^settings.view=\{\}$'

@@ -1,4 +1,6 @@
 // The CPU and OpenGL run the same text: hits and counters agree bit for bit, on every layer.
+#include <algorithm>
+
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/trace/counters.h"
 #include "tests/gl/gl_test.h"
@@ -48,8 +50,10 @@ std::vector<Case> each_traversal() {
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& test) {
-    return std::string(name_of(test.param.context)) + "_" + std::string(info(test.param.traversal).name) +
-           (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references");
+    std::string name = std::string(name_of(test.param.context)) + "_" + std::string(info(test.param.traversal).name) +
+                       (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references");
+    std::ranges::replace(name, '-', '_');
+    return name;
 }
 
 /// What differs between two frames.
@@ -151,6 +155,29 @@ TEST_P(EqualityOfWalksGl, AxisAlignedCity) {
     FlatScene scene = test::scene_of(test::voxel_city(4));
     scene.camera = {Vec3(2, 2, 12), Vec3(2, 2, 0), Vec3(0, 1, 0), 40.0f};
     compare(scene, {});
+}
+
+/// What only some traversals can choose.
+TEST_P(EqualityOfPassesGl, ChoicesOfTheWalks) {
+    FlatScene scene = test::mirror_scene(300, 7);
+    scene.camera.eye = scene.camera.eye * 0.4f + scene.camera.target * 0.6f;  // within the tree
+    const std::vector<TraceConfig> choices{
+        {.traversal = Traversal::short_stack, .short_stack = 1},
+        {.traversal = Traversal::short_stack, .short_stack = max_short_stack},
+        {.traversal = Traversal::ropes, .optimised_ropes = false},
+        {.traversal = Traversal::ropes, .eye_leaf = true},
+        {.traversal = Traversal::stack, .entry_tile = 8},
+        {.traversal = Traversal::restart, .entry_tile = 24},
+        {.traversal = Traversal::backtrack, .entry_tile = 8},
+        {.traversal = Traversal::short_stack, .short_stack = 2, .entry_tile = 1},
+    };
+    for (const TraceConfig& choice : choices) {
+        SCOPED_TRACE(testing::Message() << info(choice.traversal).name << ", " << choice.short_stack
+                                        << " entries, tiles of " << choice.entry_tile);
+        config.trace = choice;
+        config.trace.leaf_lists = GetParam().lists;
+        compare(scene, {});
+    }
 }
 
 TEST_P(EqualityOfWalksGl, EmptyScene) {

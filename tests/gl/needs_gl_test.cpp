@@ -66,7 +66,7 @@ TEST(NeedsCheck, PlainSceneMissesNothing) {
         EXPECT_EQ(rows[std::string("gl-fragment ") + feature], 1) << feature;
     for (const char* feature : {"reflections", "highlights", "textures", "normals", "node-boxes", "leaf-copies", "all"})
         EXPECT_EQ(rows[std::string("cpu ") + feature], 1) << feature;
-    EXPECT_EQ(rows.size(), 20u);
+    EXPECT_EQ(rows.size(), 22u);
 }
 
 TEST(NeedsCheck, DarkSceneMissesNoShadows) {

@@ -39,7 +39,7 @@ class RaysGl : public ContextTest {
     static void compare(CpuTracer& cpu, GlTracer& gl_tracer, std::span<const Ray> all, bool any_hit) {
         for (const auto& [traversal, rules] : walks()) {
             // Without a stack some published walks never end; under the first edition's rules most of them.
-            const bool may_be_endless = rules != Rules::robust && !info(traversal).needs_stack;
+            const bool may_be_endless = rules != Rules::robust && !info(traversal).has(walk_stack);
             const bool most_are = may_be_endless && rules == Rules::first_edition;
             const std::span<const Ray> rays = all.first(most_are ? std::min<std::size_t>(all.size(), 200) : all.size());
             const TraceConfig config{.traversal = traversal, .rules = rules};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "renderer/kdtree/ropes.h"
 #include "renderer/trace/observer.h"
 
 namespace kd {
@@ -33,7 +34,8 @@ std::string HitMethod::family_name() const {
 
 WalkScene::WalkScene(const FlatScene& scene, const KdTree& tree)
     : nodes(tree.nodes.data()), references(tree.references.data()), triangles(scene.triangles.data()),
-      triangle_count(int(scene.triangles.size())), bounds(scene.bounds), boxes(node_boxes(tree)) {}
+      triangle_count(int(scene.triangles.size())), bounds(scene.bounds), boxes(node_boxes(tree)),
+      ropes(make_ropes(tree, TraceConfig{}.optimised_ropes)) {}
 
 void walk_rays(const WalkScene& scene, const HitMethod& method, std::span<const Ray> rays,
                std::span<HitAnswer> answers) {

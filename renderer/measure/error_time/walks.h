@@ -12,7 +12,7 @@
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/rules.h"
-#include "renderer/trace/traversal.h"
+#include "renderer/trace/trace_config.h"
 
 namespace kd {
 
@@ -45,7 +45,8 @@ struct WalkScene {
     const Triangle* triangles;
     int triangle_count;
     Aabb bounds;
-    std::vector<Aabb> boxes;  // of the nodes
+    std::vector<Aabb> boxes;          // of the nodes
+    std::vector<std::int32_t> ropes;  // the default's
 };
 
 /// Nearest hits on this thread.

@@ -46,6 +46,8 @@ class NodeKernel {
 
   private:
     KD_FN KdNode fetch_node(int node) const { return unpacked(nodes_[node]); }
+    KD_FN int entry_node() const { return 0; }
+    void fetch_node_box(int, real3&, real3&) const {}  // only of entries that are not the root
     KD_FN int fetch_reference(int slot) const { return references_[slot]; }
     KD_FN void fetch_bounds(real3& lower, real3& upper) const {
         lower = bounds_.lower;

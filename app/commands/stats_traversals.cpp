@@ -1,0 +1,124 @@
+#include "app/commands/stats_traversals.h"
+
+#include <fmt/format.h>
+#include <ostream>
+
+#include "app/counted.h"
+#include "app/json_values.h"
+#include "app/machine_info.h"
+#include "app/output_file.h"
+#include "app/progress_line.h"
+#include "app/text_table.h"
+#include "renderer/io/file.h"
+#include "renderer/kdtree/build.h"
+#include "renderer/measure/walk_table.h"
+#include "renderer/scene/camera.h"
+#include "viz/chart_csv.h"
+
+namespace kd {
+
+namespace {
+
+struct Table {
+    std::string scene;
+    Pass rays;
+    std::vector<WalkRow> rows;
+};
+
+double per_ray(const WalkRow& row, std::uint64_t sum) {
+    return row.totals.rays > 0 ? double(sum) / double(row.totals.rays) : 0;
+}
+
+void print(std::ostream& out, const Table& table, const FlatScene& scene, const Session& session) {
+    out << fmt::format("{}: {}; {}x{}, {} rays\n", table.scene, contents_text(scene), session.width, session.height,
+                       ray_names[std::size_t(table.rays)]);
+    using enum TextTable::Align;
+    TextTable text({{"per ray", left},
+                    {"interior"},
+                    {"again"},
+                    {"leaves"},
+                    {"tests"},
+                    {"ways back"},
+                    {"of stack"},
+                    {"published", left}});
+    for (const WalkRow& row : table.rows) {
+        const auto number = [&](std::uint64_t sum) { return fmt::format("{:.2f}", per_ray(row, sum)); };
+        const CounterTotals& t = row.totals;
+        text.add_row({row.variant.name, number(row.interior()), number(t.interior_again), number(t.leaves),
+                      number(t.triangle_tests), number(t.restarts + t.backtracks),
+                      fmt::format("{:.2f}", row.of(table.rows.front())), row.variant.published});
+    }
+    text.print(out);
+}
+
+Json json_of(const Table& table) {
+    Json rows = Json::array();
+    for (const WalkRow& row : table.rows)
+        rows.push_back({{"name", row.variant.name},
+                        {"traversal", info(row.variant.config.traversal).name},
+                        {"short_stack", row.variant.config.short_stack},
+                        {"optimised_ropes", row.variant.config.optimised_ropes},
+                        {"eye_leaf", row.variant.config.eye_leaf},
+                        {"entry_tile", row.variant.config.entry_tile},
+                        {"of_stack", row.of(table.rows.front())},
+                        {"published", row.variant.published},
+                        {"counters", kd::json_of(row.totals)}});
+    return {{"scene", table.scene}, {"rays", json_key(ray_names[std::size_t(table.rays)])}, {"walks", rows}};
+}
+
+std::string csv_of(const Table& table) {
+    std::string csv;
+    for (const WalkRow& row : table.rows) {
+        const CounterTotals& t = row.totals;
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{:.4f}\n", csv_field(table.scene),
+                           ray_names[std::size_t(table.rays)], csv_field(row.variant.name), t.rays, t.interior_first,
+                           t.interior_again, t.leaves, t.triangle_tests, t.restarts, t.backtracks,
+                           row.of(table.rows.front()));
+    }
+    return csv;
+}
+
+constexpr const char* csv_head =
+    "scene,rays,walk,ray_count,interior_first,interior_again,leaves,triangle_tests,restarts,backtracks,of_stack\n";
+
+constexpr const char* explanation =
+    "\ninterior: visits of interior nodes; again: of nodes that the ray had been at. ways back: restarts and climbs; "
+    "of "
+    "ropes, rays that\nkd-restart took over. of stack: interior visits over the stack's. published: Popov et al. 2007, "
+    "Table 2, down steps of primary rays in four scenes;\nHorn et al. 2007; the paper, section 4.3.\n";
+
+}  // namespace
+
+int run_traversals(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
+    check_outputs({{"--csv", options.csv}}, {});
+    std::string csv = csv_head;
+    Json all = Json::array();
+    for (const std::string& name : common.scenes) {
+        Session session = common.session_for(name);
+        check_frame_memory(session.width, session.height);
+        const FlatScene scene = open_scene(common, session);
+        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+        check_stop(context);
+        for (const Pass rays : rays_of(scene, session.trace, options)) {
+            Table table{name, rays,
+                        walk_table({.scene = scene,
+                                    .tree = tree,
+                                    .config = session.trace,
+                                    .camera = pinhole(scene.camera, session.width, session.height),
+                                    .width = session.width,
+                                    .height = session.height,
+                                    .rays = rays,
+                                    .threads = session.threads},
+                                   context.stop)};
+            check_stop(context);
+            if (!json) print(context.out, table, scene, session);
+            csv += csv_of(table);
+            all.push_back(json_of(table));
+        }
+    }
+    context.out << (json ? json_text(all) : explanation);
+    if (!options.csv.empty()) write_file(options.csv, csv);
+    return exit_ok;
+}
+
+}  // namespace kd

@@ -1,0 +1,13 @@
+// What `stats --traversals` does.
+#pragma once
+
+#include "app/command.h"
+#include "app/commands/stats_divergence.h"
+#include "app/common_options.h"
+
+namespace kd {
+
+/// A table per scene and kind of ray: what each traversal visits, beside what was published of it.
+int run_traversals(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);
+
+}  // namespace kd
