@@ -48,6 +48,6 @@ wait_for '^settings.view.overlay.depth=7$'
 
 nodes=$(value tree.nodes)
 press b
-wait_for '^settings.build.builder=([^p]|p[^a])'
+wait_for '^settings.build.builder=paper-cycle$'
 [[ $(value tree.nodes) != "$nodes" ]] || fail "another builder, the same tree"
 echo "passed"

@@ -21,6 +21,7 @@ wait_for '^settings.build.trim_leaves=false$'
 wait_for '^settings.build.empty_bonus_gate=0(\.0)?$'
 click_on "TREE/default"
 [[ -z $(place "TREE/bins") ]] || fail "builder paper has no bins"
+press b && wait_for '^settings.build.builder=paper-cycle$'
 press b && wait_for '^settings.build.builder=exact$'
 press b && wait_for '^settings.build.builder=binned$'
 nodes=$(value tree.nodes)
