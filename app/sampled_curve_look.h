@@ -19,8 +19,10 @@ namespace kd {
 
 [[nodiscard]] inline Stroke stroke_of(Traversal traversal) {
     switch (traversal) {
-        case Traversal::restart: return Stroke::dashed;
-        case Traversal::backtrack: return Stroke::dotted;
+        case Traversal::restart:
+        case Traversal::push_down: return Stroke::dashed;
+        case Traversal::backtrack:
+        case Traversal::ropes: return Stroke::dotted;
         default: return Stroke::solid;
     }
 }

@@ -107,6 +107,25 @@ small_pictures() {
     shoot paper
     stop_window
 
+    open ball:9000 --traversal restart
+    press_all d shift+d
+    wait_for '^widths.points=7$' 120
+    wait_for '^widths.outdated=false$' 120
+    hover 600 20
+    shoot divergence-widths
+    stop_window
+
+    open cornell
+    press_all e
+    click_on "ERROR/sample"
+    wait_for '^convergence.curves.independent, stack, cpu.points=[6-9]$' 120
+    press_all t
+    wait_for '^convergence.curves.independent, restart, cpu.points=[6-9]$' 120
+    click_on "ERROR/stop"
+    hover 600 20
+    shoot error-time
+    stop_window
+
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1

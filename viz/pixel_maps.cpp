@@ -69,7 +69,8 @@ constexpr auto table = std::to_array<MapInfo>({
      .title = "restarts from the root",
      .unit = "restarts",
      .kind = count,
-     .summary = "How often kd-restart went back to the root to find the next leaf. 0 for other traversals.",
+     .summary = "How often kd-restart, push-down or a short stack began again at the top; 1 where ropes gave a ray to "
+                "kd-restart.",
      .of_pixel = [](const RayCounters& c, const Hit&) { return float(c.restarts); }},
     {.name = "backtracks",
      .title = "backtracks from a leaf",

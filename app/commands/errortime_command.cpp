@@ -107,7 +107,7 @@ CommandBody declare(CLI::App& app) {
         app, "--seconds", options->seconds, 1, 1e6,
         fmt::format("Time to aim at, for all of it [{}; --quick {}]", options->config.seconds, quick_seconds));
     add_machine_options(app, *options);
-    add_tracing_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
+    add_tracing_options(app, *options, {.traversal = "stack, restart, backtrack", .tracer = "all"});
     add_tree_options(app, *options);
     add_camera_options(app, *options);
     return [options, &app](CommandContext& context) { return run(app, *options, context); };

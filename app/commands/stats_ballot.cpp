@@ -231,7 +231,8 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
         for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, context, rows);
     }
     bool exact = true;
-    std::string csv = csv_head;
+    const MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);
+    std::string csv = csv_comments(on.lines()) + csv_head;
     Json all = Json::array();
     for (const Row& row : rows) {
         exact = exact && (row.report.exact() || row.report.groups == 0);
@@ -239,13 +240,12 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
         all.push_back(json_of(row));
     }
     if (json)
-        context.out << json_text(
-            {{"measured_on", json_of(measured_on(common.session.threads, common.session.seed, *gl))},
-             {"renderer", gl->renderer()},
-             {"software_gl", gl->is_software()},
-             {"extensions", support.extensions()},
-             {"exact", exact},
-             {"rows", all}});
+        context.out << json_text({{"measured_on", json_of(on)},
+                                  {"renderer", gl->renderer()},
+                                  {"software_gl", gl->is_software()},
+                                  {"extensions", support.extensions()},
+                                  {"exact", exact},
+                                  {"rows", all}});
     else
         print(context.out, rows, *gl, support);
     if (!options.csv.empty()) write_file(options.csv, csv);

@@ -10,6 +10,7 @@
 #include "app/commands/stats_traversals.h"
 #include "app/idle_options.h"
 #include "app/json_values.h"
+#include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "app/text_table.h"
 #include "renderer/gl/gl_tracer.h"
@@ -210,7 +211,10 @@ int run(const CLI::App& app, const StatsOptions& options, CommandContext& contex
         }
         Json trees = Json::array();
         for (const Entry& entry : entries) trees.push_back(json_of(entry));
-        json.push_back({{"settings", kd::json_of(session)}, {"scene", kd::json_of(scene)}, {"trees", trees}});
+        json.push_back({{"settings", kd::json_of(session)},
+                        {"scene", kd::json_of(scene)},
+                        {"trees", trees},
+                        {"measured_on", kd::json_of(measured_on(session.threads, session.seed))}});
     }
     if (options.json) context.out << json_text(json);
     return exit_ok;

@@ -9,6 +9,7 @@
 #include "app/counted.h"
 #include "app/divergence_chart.h"
 #include "app/json_values.h"
+#include "app/machine_info.h"
 #include "app/output_file.h"
 #include "app/progress_line.h"
 #include "app/ray_choices.h"
@@ -18,6 +19,7 @@
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/needs.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -173,7 +175,8 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     const std::vector<TileShape> shapes = shapes_of(options);
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
-    std::string csv = divergence_csv_head();
+    const MeasuredOn on = measured_on(common.session.threads, common.session.seed);
+    std::string csv = csv_comments(on.lines()) + divergence_csv_head();
     Json all = Json::array();
     std::vector<std::pair<std::string, std::string>> charts;
     for (const std::string& name : common.scenes) {
@@ -208,7 +211,10 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                     charts.emplace_back(numbered(options.svg, charts.size()),
                                         chart_svg(width_chart(*report), context.stop));
             }
-        all.push_back({{"settings", kd::json_of(session)}, {"scene", kd::json_of(scene)}, {"divergence", reports}});
+        all.push_back({{"settings", kd::json_of(session)},
+                       {"scene", kd::json_of(scene)},
+                       {"divergence", reports},
+                       {"measured_on", kd::json_of(on)}});
     }
     context.out << (json ? json_text(all) : explanation);
     if (!options.csv.empty()) write_file(options.csv, csv);

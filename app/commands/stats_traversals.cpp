@@ -13,7 +13,7 @@
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"
 #include "renderer/scene/camera.h"
-#include "viz/chart_csv.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -70,10 +70,9 @@ std::string csv_of(const Table& table) {
     std::string csv;
     for (const WalkRow& row : table.rows) {
         const CounterTotals& t = row.totals;
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{:.4f}\n", csv_field(table.scene),
-                           ray_names[std::size_t(table.rays)], csv_field(row.variant.name), t.rays, t.interior_first,
-                           t.interior_again, t.leaves, t.triangle_tests, t.restarts, t.backtracks,
-                           row.of(table.rows.front()));
+        csv +=
+            csv_row(table.scene, ray_names[std::size_t(table.rays)], row.variant.name, t.rays, t.interior_first,
+                    t.interior_again, t.leaves, t.triangle_tests, t.restarts, t.backtracks, row.of(table.rows.front()));
     }
     return csv;
 }
@@ -91,7 +90,8 @@ constexpr const char* explanation =
 
 int run_traversals(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     check_outputs({{"--csv", options.csv}}, {});
-    std::string csv = csv_head;
+    const MeasuredOn on = measured_on(common.session.threads, common.session.seed);
+    std::string csv = csv_comments(on.lines()) + csv_head;
     Json all = Json::array();
     for (const std::string& name : common.scenes) {
         Session session = common.session_for(name);
@@ -114,6 +114,7 @@ int run_traversals(const CommonOptions& common, const DivergenceOptions& options
             if (!json) print(context.out, table, scene, session);
             csv += csv_of(table);
             all.push_back(json_of(table));
+            all.back()["measured_on"] = kd::json_of(on);
         }
     }
     context.out << (json ? json_text(all) : explanation);

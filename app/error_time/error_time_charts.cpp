@@ -24,13 +24,24 @@ Stroke stroke_of(const std::string& traversal) {
 
 enum class Measure { rmse, flip };
 
+/// Rings for the points that no other beats in both.
+void mark_front(Chart& chart) {
+    std::vector<TimeAndError> all;
+    for (const ChartCurve& curve : chart.curves)
+        for (const ChartPoint& point : curve.points) all.push_back({point.x, point.y});
+    const std::vector<bool> front = pareto_front(all);
+    auto on_front = front.begin();
+    for (ChartCurve& curve : chart.curves)
+        for (ChartPoint& point : curve.points) point.marked = *on_front++;
+}
+
 ChartPoint point_of(const ImageCurve& curve, const ImagePoint& point, Measure measure) {
     ChartPoint drawn_point;
     drawn_point.x = point.seconds;
     drawn_point.x_interval = drawn(point.quartiles);
     drawn_point.y = measure == Measure::rmse ? point.rmse : point.flip;
     if (measure == Measure::rmse) drawn_point.y_interval = drawn(point.rmse_interval);
-    drawn_point.marked = measure == Measure::rmse && point.on_front;
+    drawn_point.marked = point.on_front;
     drawn_point.text = fmt::format("{} {} samples, {:.3g} s, error {:.3g}", point.samples, name_of(curve.sampler),
                                    point.seconds, drawn_point.y);
     return drawn_point;
@@ -57,10 +68,11 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
     }
     if (measure == Measure::rmse && report.reference_rmse > 0)
         chart.lines.push_back({"the reference's own error", report.reference_rmse, false, Ink::grey, Stroke::dotted});
-    chart.note =
-        fmt::format("{} x {} pixels; 1 to {} samples per pixel from left to right; whiskers: middle half of times{}",
-                    report.plan.width, report.plan.height, report.plan.most_samples,
-                    measure == Measure::rmse ? ", 95 % of errors; rings: unbeaten in both" : "");
+    chart.note = fmt::format(
+        "{} x {} pixels; 1 to {} samples per pixel from left to right; whiskers: middle half of times{}",
+        report.plan.width, report.plan.height, report.plan.most_samples,
+        measure == Measure::rmse ? ", 95 % of errors; rings: unbeaten in both" : "; rings: unbeaten in both");
+    if (measure == Measure::flip) mark_front(chart);
     fit_as_diagram(chart);
     return chart;
 }
@@ -138,17 +150,36 @@ Chart ulp_chart(const HitReport& report, const HitFamily& family, double foot) {
         return true;
     };
     Chart chart = hit_chart(report, family, "error of t in ulps of a float", fill);
-    chart.note =
-        fmt::format("{}; upright: median, 99.9 % (the mark) and largest; open, at the foot: no error at all", hit_note);
+    mark_front(chart);
+    chart.note = fmt::format("{}; upright: median, 99.9 % (the mark) and largest; open, at the foot: no error at all; "
+                             "rings: unbeaten in both",
+                             hit_note);
     return chart;
 }
 
 // --- P3 and P4 ---
 
-Ink ink_of_index(std::size_t i) {
-    // The CPU builds and traces all of them, so the inks of machines say nothing here.
-    constexpr std::array inks{Ink::green, Ink::red, Ink::purple, Ink::blue, Ink::grey};
-    return inks[i % inks.size()];
+// The CPU builds and traces all of them, so the inks of machines say nothing here.
+constexpr std::array plain_inks{Ink::green, Ink::red, Ink::purple, Ink::blue, Ink::grey};
+
+Ink ink_of_index(std::size_t i) { return plain_inks[i % plain_inks.size()]; }
+
+/// A new mark each time the inks begin anew.
+Marker marker_of_index(std::size_t i) {
+    constexpr std::array markers{Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
+    return markers[i / plain_inks.size() % markers.size()];
+}
+
+/// The curve of a row's builder, looking unlike those before it.
+ChartCurve& curve_of(Chart& chart, const TreeRow& row) {
+    const std::size_t next = chart.curves.size();
+    return curve_named(
+        chart, {.name = row.builder, .ink = ink_of_index(next), .form = Form::points, .marker = marker_of_index(next)});
+}
+
+/// What stands at a tree's point: its leaves, or its bins where these are not the usual ones.
+std::string label_of(const TreeRow& row) {
+    return row.bins > 0 ? fmt::format("{}b", row.bins) : fmt::format("{}", row.leaf_size);
 }
 
 /// A line along which both axes agree, from the least to the most of both.
@@ -176,18 +207,17 @@ Chart line_chart(const SceneErrorTime& scene) {
     chart.title = fmt::format("{}: uniform lines that nothing stops", scene.name.shown);
     chart.x.label = "cost counted per line (t_t per interior node, t_i per triangle)";
     for (const TreeRow& row : scene.trees->rows) {
-        ChartCurve& curve =
-            curve_named(chart, {.name = row.builder, .ink = ink_of_index(chart.curves.size()), .form = Form::points});
+        ChartCurve& curve = curve_of(chart, row);
         const double error = 1.96 * row.lines.standard_error();
         ChartPoint point;
         point.x = row.lines.mean_cost();
         point.x_interval = ChartInterval{point.x - error, point.x + error};
         point.y = row.stats.sah_cost;
-        point.label = fmt::format("{}", row.leaf_size);
+        point.label = label_of(row);
         point.text = fmt::format("{}: {:.4g} counted, {:.4g} predicted", row.name(), point.x, point.y);
         curve.points.push_back(std::move(point));
     }
-    chart.note = "numbers: most triangles of a leaf; whiskers: 95 %";
+    chart.note = "numbers: most triangles of a leaf, with b: bins; whiskers: 95 %";
     finish_prediction(chart);
     return chart;
 }
@@ -222,18 +252,19 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
     chart.x.label = "seconds to build";
     chart.y.label = fmt::format("{}, times that of {}", what, report.rows[report.reference].name());
     for (const TreeRow& row : report.rows) {
-        ChartCurve& curve =
-            curve_named(chart, {.name = row.builder, .ink = ink_of_index(chart.curves.size()), .form = Form::points});
+        ChartCurve& curve = curve_of(chart, row);
         ChartPoint point;
         point.x = 1e-3 * row.build.median_ms;
         point.x_interval = ChartInterval{1e-3 * row.build.p25_ms, 1e-3 * row.build.p75_ms};
-        point.label = fmt::format("{}", row.leaf_size);
+        point.label = label_of(row);
         fill(row, point);
         point.text = fmt::format("{}: {:.3g} s, {:.4g} times", row.name(), point.x, point.y);
         curve.points.push_back(std::move(point));
     }
     chart.lines.push_back({"the reference", 1, false});
-    chart.note = "numbers: most triangles of a leaf; whiskers: middle half of the rounds; rings: unbeaten in both";
+    mark_front(chart);
+    chart.note =
+        "numbers: most triangles of a leaf, with b: bins; whiskers: middle half of the rounds; rings: unbeaten in both";
     fit_as_diagram(chart);
     return chart;
 }
@@ -292,7 +323,6 @@ std::vector<ErrorFigure> build_figures(const SceneErrorTime& scene) {
     const auto frame = [](const TreeRow& row, ChartPoint& point) {
         point.y = row.frame_ratio.median;
         point.y_interval = ChartInterval{row.frame_ratio.low, row.frame_ratio.high};
-        point.marked = row.on_front;
     };
     return {{fmt::format("p4-{}-sah", scene.name.stem), build_chart(scene, "SAH cost", sah)},
             {fmt::format("p4-{}-frames", scene.name.stem), build_chart(scene, "frame time", frame)}};

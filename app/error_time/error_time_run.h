@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 4> error_report_names{"P1", "P2", 
 
 struct ErrorTimeConfig {
     std::set<ErrorReport> reports{ErrorReport::p1, ErrorReport::p2, ErrorReport::p3, ErrorReport::p4};
-    double seconds = 540;  // to aim at, for all reports of all scenes
+    double seconds = 360;  // to aim at, for all reports of all scenes
     bool quick = false;
     bool cpu = true, gl = true;
     bool gl_demanded = false;  // then its absence is an error

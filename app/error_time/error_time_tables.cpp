@@ -50,8 +50,9 @@ std::string hit_csv(const HitReport& report) {
 }
 
 std::string tree_csv(const TreeReport& report) {
-    std::string text = "builder,leaf_size,nodes,references,reference_cap_hit,sah_cost,expected_interior,expected_tests,"
-                       "lines,line_cost,line_cost_standard_error,line_interior,line_tests";
+    std::string text =
+        "builder,leaf_size,bins,nodes,references,reference_cap_hit,sah_cost,expected_interior,expected_tests,"
+        "lines,line_cost,line_cost_standard_error,line_interior,line_tests";
     for (const auto name : ray_names)
         text += fmt::format(",cost_per_{}_ray", name == "reflection shadow" ? "reflection_shadow" : name);
     text +=
@@ -63,13 +64,14 @@ std::string tree_csv(const TreeReport& report) {
         std::array<std::optional<double>, pass_count> cost;
         for (std::size_t pass = 0; pass < pass_count; ++pass)
             if (report.rays[pass] > 0) cost[pass] = r.cost_per_ray[pass];
-        text += csv_row(r.builder, r.leaf_size, r.stats.nodes, r.stats.references, r.cap_hit, r.stats.sah_cost,
-                        r.stats.expected_interior_visits, r.stats.expected_triangle_tests, r.lines.rays,
-                        r.lines.mean_cost(), r.lines.standard_error(), r.lines.interior / lines, r.lines.tests / lines,
-                        cost[0], cost[1], cost[2], cost[3], r.build.median_ms, r.build.p25_ms, r.build.p75_ms,
-                        r.build.samples, r.frame.median_ms, r.frame.p25_ms, r.frame.p75_ms, r.frame.samples,
-                        r.sah_ratio, r.frame_ratio.median, r.frame_ratio.low, r.frame_ratio.high,
-                        r.frame_ratio.confidence, r.break_even_frames, r.on_front, i == report.reference);
+        text += csv_row(r.builder, r.leaf_size, r.bins > 0 ? std::optional(r.bins) : std::nullopt, r.stats.nodes,
+                        r.stats.references, r.cap_hit, r.stats.sah_cost, r.stats.expected_interior_visits,
+                        r.stats.expected_triangle_tests, r.lines.rays, r.lines.mean_cost(), r.lines.standard_error(),
+                        r.lines.interior / lines, r.lines.tests / lines, cost[0], cost[1], cost[2], cost[3],
+                        r.build.median_ms, r.build.p25_ms, r.build.p75_ms, r.build.samples, r.frame.median_ms,
+                        r.frame.p25_ms, r.frame.p75_ms, r.frame.samples, r.sah_ratio, r.frame_ratio.median,
+                        r.frame_ratio.low, r.frame_ratio.high, r.frame_ratio.confidence, r.break_even_frames,
+                        r.on_front, i == report.reference);
     }
     return text;
 }

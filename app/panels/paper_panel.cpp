@@ -25,7 +25,8 @@ ImU32 colour_of(PaperVerdict verdict) {
 void draw_run_buttons(const PaperState& paper, Edit& edit) {
     const float width = theme::px(84);
     const bool idle = !paper.active;
-    if (widgets::button("quick", "The paper's six scenes at 128x128: about half a minute.", idle, width))
+    if (widgets::button("quick", "The paper's six scenes and a larger ball at 128x128: about half a minute.", idle,
+                        width))
         edit.do_once(Action::run_paper_quick);
     ImGui::SameLine();
     if (widgets::button(

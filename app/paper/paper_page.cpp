@@ -29,8 +29,8 @@ figcaption { font-size: 0.9rem; color: #444; }
 .pictures figure { display: inline-block; width: 31%; margin: 0 1.5% 1rem 0; vertical-align: top; }
 .pictures img { image-rendering: pixelated; }
 .claims td { padding: 0.45rem 0.6rem; } small { display: block; color: #666; font-size: 0.74rem; font-weight: 400; white-space: normal; }
-page { size: A4 landscape; margin: 12mm; }
-media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
+@page { size: A4 landscape; margin: 12mm; }
+@media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
 )";
 
 /// "not-reproduced": a class of the style sheet.

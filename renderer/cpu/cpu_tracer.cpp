@@ -24,30 +24,12 @@ std::string cpu_target_name() {
     return hwy::TargetName(usable & -usable);
 }
 
-CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>()) {
-    view_->scene = &scene;
-    view_->tree = &tree;
-    view_->facts = scene_facts(scene, tree);
-}
+CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>(scene, tree)) {}
 
 CpuTracer::~CpuTracer() = default;
 CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
 
-void CpuTracer::prepare(const TraceConfig& config) {
-    SceneView& view = *view_;
-    view.needs = scene_needs(view.facts, config);
-    // What is needed no more is let go.
-    if (!view.needs.node_boxes) view.boxes = {};
-    if (!view.needs.leaf_copies) view.duplicated_corners = {};
-    if (!view.needs.ropes || view.optimised_ropes != view.needs.optimised_ropes) view.ropes = {};
-    if (view.needs.node_boxes && view.boxes.empty()) view.boxes = node_boxes(*view.tree);
-    if (view.needs.ropes && view.ropes.empty()) {
-        view.ropes = make_ropes(*view.tree, view.needs.optimised_ropes);
-        view.optimised_ropes = view.needs.optimised_ropes;
-    }
-    if (view.needs.leaf_copies && view.duplicated_corners.empty())
-        view.duplicated_corners = duplicated_leaf_triangles(*view.tree, view.scene->triangles);
-}
+void CpuTracer::prepare(const TraceConfig& config) { view_->prepare(config); }
 
 std::int64_t CpuTracer::table_bytes() const {
     return std::int64_t(std::span(view_->boxes).size_bytes() + std::span(view_->ropes).size_bytes() +

@@ -52,7 +52,9 @@ class Kernel {
         upper = view.boxes[std::size_t(node)].upper;
     }
 
-    KD_FN int fetch_rope(int node, int face) const { return view.ropes[std::size_t(6 * node + face)]; }
+    KD_FN int fetch_rope(int node, int face) const {
+        return view.ropes[std::size_t(node) * faces_of_a_cell + std::size_t(face)];
+    }
     KD_FN int entry_node() const { return first_node; }
     KD_FN int short_stack_entries() const { return short_stack; }
 

@@ -12,6 +12,12 @@
 namespace kd {
 
 struct SceneView {
+    /// Without any table. Both must outlive this.
+    SceneView(const FlatScene& of_scene, const KdTree& of_tree);
+
+    /// Makes the tables that `config` needs and lets go of those that it does not.
+    void prepare(const TraceConfig& config);
+
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
     SceneFacts facts;

@@ -81,7 +81,7 @@ int shaft_entry(const KdTree& tree, std::span<const Aabb> boxes, const SeenArea&
         const bool in_above = meets_any(tree, boxes, shaft, above, waiting);
         if (in_below && in_above) break;
         node = in_above ? above : below;
-        // Met neither: any leaf without triangles would do, and the way down leads to one that the shaft does not meet.
+        // Met neither, so that a leaf below holds no triangle or is not met: it answers all rays alike, as a miss.
         if (!in_below && !in_above) {
             while (!tree.nodes[std::size_t(node)].is_leaf()) ++node;
             break;

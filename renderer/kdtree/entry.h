@@ -35,7 +35,7 @@ struct SeenArea {
                                        const SeenArea& area);
 
 /// Where an area's own shaft begins: Reshetov, Soupikov, Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005. The
-/// deepest node outside of which the shaft meets no leaf that holds a triangle; a leaf without any where it meets none.
+/// deepest node outside of which the shaft meets no leaf that holds a triangle; where it meets none, any leaf.
 [[nodiscard]] int shaft_entry(const KdTree& tree, std::span<const Aabb> boxes, const SeenArea& area);
 
 }  // namespace kd

@@ -8,9 +8,6 @@
 
 namespace kd {
 
-/// Faces of a cell: 2 * axis for the lower one, 2 * axis + 1 for the upper.
-inline constexpr int faces_of_a_cell = 6;
-
 /// For every node, the node beyond each of its faces; -1 where the tree ends. Published, a rope leads to the sibling across
 /// the plane, the root of all that lies there. `optimised` lets the ropes of leaves sink to the smallest cell that the whole
 /// face borders on, so that less is left to descend.

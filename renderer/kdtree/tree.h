@@ -31,6 +31,9 @@ struct TreeNode {
 };
 static_assert(sizeof(TreeNode) == 16);
 
+/// Faces of a cell: 2 * axis for the lower one, 2 * axis + 1 for the upper.
+inline constexpr int faces_of_a_cell = 6;
+
 /// Nodes in depth-first order, root first, never empty. Triangles touching a plane may stand in several leaves.
 struct KdTree {
     std::vector<TreeNode> nodes{TreeNode{}};

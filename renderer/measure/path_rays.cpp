@@ -19,9 +19,7 @@ using PlainKernel = Kernel<NullObserver, Rules::robust>;
 template <class Use>
 auto with_kernel(const FlatScene& scene, const Use& use) {
     const KdTree no_tree;
-    SceneView view;
-    view.scene = &scene;
-    view.tree = &no_tree;
+    SceneView view(scene, no_tree);
     view.needs.normals = scene.has_normals;
     TraceConfig naive;
     naive.traversal = Traversal::naive;

@@ -24,10 +24,8 @@ struct WalkCounter : NullObserver {
 
 RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConfig& config, const PinholeCamera& camera,
                      int width, int height, std::stop_token stop) {
-    SceneView view;
-    view.scene = &scene;
-    view.tree = &tree;
-    view.needs = scene_needs(scene, tree, config);
+    SceneView view(scene, tree);
+    view.needs = scene_needs(view.facts, config);
     Frame walks(width, height);
     parallel_ranges(std::size_t(height), 1, 0, [&](std::size_t row, std::size_t) {
         if (stop.stop_requested()) return;

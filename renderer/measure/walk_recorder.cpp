@@ -7,7 +7,6 @@
 
 #include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
-#include "renderer/kdtree/ropes.h"
 #include "renderer/trace/counters.h"
 #include "renderer/trace/observer.h"
 
@@ -64,14 +63,9 @@ struct Recording {
     TraceConfig with_stack;
     Frame none;  // nothing is drawn
 
-    explicit Recording(const WalkRequest& asked) : request(asked), with_stack(asked.config) {
-        view.scene = &asked.scene;
-        view.tree = &asked.tree;
-        view.needs = scene_needs(asked.scene, asked.tree, asked.config);
-        if (info(asked.config.traversal).has(walk_boxes) || enters_by_tile(asked.config))
-            view.boxes = node_boxes(asked.tree);
-        if (info(asked.config.traversal).has(walk_ropes))
-            view.ropes = make_ropes(asked.tree, asked.config.optimised_ropes);
+    explicit Recording(const WalkRequest& asked)
+        : request(asked), view(asked.scene, asked.tree), with_stack(asked.config) {
+        view.prepare(asked.config);
         with_stack.traversal = Traversal::stack;
     }
 };

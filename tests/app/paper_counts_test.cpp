@@ -23,8 +23,9 @@ PaperScene counted(const std::string& name) {
 TEST(PaperCounts, BothReadingsOfTheDivergingScene) {
     for (const char* name : {"scatter:10000", "sheet:10000"}) {
         const PaperScene scene = counted(name);
-        EXPECT_GT(scene.node_ratio(Traversal::restart), 2) << name;
-        EXPECT_LT(scene.node_ratio(Traversal::restart), 8) << name;
+        const bool cloud = name == std::string_view("scatter:10000");
+        EXPECT_GT(scene.node_ratio(Traversal::restart), cloud ? 3.5 : 2.2) << name;
+        EXPECT_LT(scene.node_ratio(Traversal::restart), cloud ? 5.5 : 2.9) << "the two readings differ";
         EXPECT_DOUBLE_EQ(scene.node_ratio(Traversal::stack), 1);
         const PaperConfig config = small();
         const double same = seed_node_ratio(config, name, 1, {}), other = seed_node_ratio(config, name, 2, {});

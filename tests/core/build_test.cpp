@@ -305,6 +305,7 @@ TEST(Build, RefusesConstantsOutOfRange) {
     expect({.intersection_cost = 2e6f}, "intersection_cost is 2000000", "from 0 to 1000000");
     expect({.empty_bonus = 1.5f}, "empty_bonus is 1.5", "from 0 to 1");
     expect({.empty_bonus_gate = -0.5f}, "empty_bonus_gate is -0.5", "from 0 to 1");
+    expect({.empty_cut = 1.5f}, "empty_cut is 1.5", "from 0 to 1");
     expect({.leaf_size = -1}, "leaf_size is -1", "from 0 to");
     expect({.max_depth = 65}, "max_depth is 65", "from 0 to 64");
     expect({.bad_refines = -1}, "bad_refines is -1", "from 0 to 64");

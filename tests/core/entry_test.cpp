@@ -100,6 +100,9 @@ TEST(Entry, AShaftThatMeetsNothingEndsInALeaf) {
     seen.camera.forward = -seen.camera.forward;
     const int node = shaft_entry(seen.tree, seen.boxes, seen.area(0, 0, 8, 8));
     EXPECT_TRUE(seen.tree.nodes[std::size_t(node)].is_leaf());
+    const Frame frame = seen.traced({.entry_tile = 8});
+    for (const Hit& hit : frame.layer(Pass::rt_prim).hit.pixels) ASSERT_EQ(hit.triangle, -1);
+    EXPECT_EQ(visits(frame), 0u) << "every ray begins in a leaf";
 }
 
 }  // namespace

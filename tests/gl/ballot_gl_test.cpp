@@ -63,7 +63,7 @@ class BallotGl : public ContextTest {
 };
 KD_FOR_ALL_CONTEXTS(BallotGl);
 
-TEST_P(BallotGl, EveryTraversalOnEveryScene) {
+TEST_P(BallotGl, EveryTraversalThatHasALoopOnEveryScene) {
     for (const char* name : {"ball:1000", "rooms", "scatter:300"}) {
         load(name);
         for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})

@@ -95,6 +95,16 @@ void expect_equal(const Frame& cpu, const Frame& gl, bool software) {
     EXPECT_LE(d.colours, few);
 }
 
+/// Interior nodes that the CPU's primary rays visit.
+std::uint64_t primary_visits(const FlatScene& scene, const TraceConfig& config) {
+    const KdTree tree = build_tree(scene.triangles, {});
+    Frame frame(width, height);
+    CpuTracer(scene, tree).trace_frame(config, pinhole(scene.camera, width, height), frame, 2);
+    std::uint64_t sum = 0;
+    for (const RayCounters& c : frame.layer(Pass::rt_prim).counters.pixels) sum += c.interior_first + c.interior_again;
+    return sum;
+}
+
 class EqualityGl : public testing::TestWithParam<Case> {
   protected:
     void SetUp() override {
@@ -174,6 +184,8 @@ TEST_P(EqualityOfPassesGl, ChoicesOfTheWalks) {
     for (const TraceConfig& choice : choices) {
         SCOPED_TRACE(testing::Message() << info(choice.traversal).name << ", " << choice.short_stack
                                         << " entries, tiles of " << choice.entry_tile);
+        EXPECT_NE(primary_visits(scene, choice), primary_visits(scene, {.traversal = choice.traversal}))
+            << "a choice that changes nothing";
         config.trace = choice;
         config.trace.leaf_lists = GetParam().lists;
         compare(scene, {});

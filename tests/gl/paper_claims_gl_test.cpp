@@ -41,7 +41,7 @@ TEST(PaperVerdict, TheWholeIntervalDecides) {
 TEST(PaperClaims, ThePapersOwnNumbersReproduceIt) {
     const std::vector<PaperClaim> claims = judge_claims(paper_results(papers_own_ms(), 0.02));
     for (const char* id :
-         {"E1a CPURT", "E1a CPU Kd-restart", "E1a GPURT", "E1b", "E1c", "E2b", "E2c", "E3a scatter", "E3a sheet",
+         {"E1a CPURT", "E1a CPU Kd-restart", "E1a GPURT", "E1b", "E1c", "E2a", "E2b", "E2c", "E3a scatter", "E3a sheet",
           "E3b scatter", "E3b sheet", "E3c scatter", "E3c sheet", "E5a", "B1b ball:9000", "B1c"})
         EXPECT_EQ(claim(claims, id).verdict, reproduced) << id << ": " << claim(claims, id).reason;
     EXPECT_NEAR(claim(claims, "E1b").value.median, 1.15, 0.02);

@@ -72,11 +72,13 @@ struct Recorded {
 
 TEST(RecordWalks, AreWhatTheCountersCount) {
     const Recorded cornell("cornell");
-    for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
+    for (const TraversalInfo& traversal : traversals())
         for (int pass = 0; pass < pass_count; ++pass) {
-            SCOPED_TRACE(std::string(info(traversal).name) + " " + std::string(ray_names[std::size_t(pass)]));
-            cornell.compare({.traversal = traversal, .reflection_depth = 3}, Pass(pass));
+            SCOPED_TRACE(std::string(traversal.name) + " " + std::string(ray_names[std::size_t(pass)]));
+            cornell.compare({.traversal = traversal.id, .reflection_depth = 3}, Pass(pass));
         }
+    cornell.compare({.traversal = Traversal::ropes, .eye_leaf = true}, Pass::rt_prim);
+    cornell.compare({.traversal = Traversal::stack, .entry_tile = 8}, Pass::rt_prim);
 }
 
 TEST(RecordWalks, RoundsAreLightsAndBounces) {

@@ -13,6 +13,7 @@ namespace kd {
 namespace {
 
 constexpr std::array leaf_sizes{1, 2, 8};
+constexpr std::array other_bins{4, 8, 16, 64, 256};
 constexpr std::string_view best_builder = "exact";
 
 struct Stopped {};
@@ -33,6 +34,15 @@ class TreeRun {
                 BuildConfig config = task.build;
                 config.builder = builder.name;
                 config.leaf_size = leaf_size;
+                configs_.push_back(config);
+            }
+        for (const Builder& builder : builders())
+            for (const int bins : other_bins) {
+                if (!builder.has_bins || bins == task.build.bins) continue;
+                BuildConfig config = task.build;
+                config.builder = builder.name;
+                config.leaf_size = BuildConfig{}.leaf_size;
+                config.bins = bins;
                 configs_.push_back(config);
             }
         report_.width = task.width;
@@ -69,6 +79,8 @@ class TreeRun {
             TreeRow row;
             row.builder = config.builder;
             row.leaf_size = config.leaf_size;
+            const Builder* builder = find_builder(config.builder);
+            row.bins = builder && builder->has_bins && config.bins != task_.build.bins ? config.bins : 0;
             row.stats = tree_stats(trees_.back(), task_.scene.triangles.size(), config);
             row.cap_hit = built.reference_cap_hit;
             report_.rows.push_back(std::move(row));
@@ -183,7 +195,9 @@ class TreeRun {
 
 }  // namespace
 
-std::string TreeRow::name() const { return fmt::format("{}, leaves of {}", builder, leaf_size); }
+std::string TreeRow::name() const {
+    return fmt::format("{}{}, leaves of {}", builder, bins > 0 ? fmt::format(", {} bins", bins) : "", leaf_size);
+}
 
 double TreeRow::line_cost_ratio() const { return ratio(lines.mean_cost(), stats.sah_cost); }
 double TreeRow::line_interior_ratio() const {

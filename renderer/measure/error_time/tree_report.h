@@ -33,6 +33,7 @@ struct TreeTask {
 struct TreeRow {
     std::string builder;
     int leaf_size = 0;
+    int bins = 0;  // where they are not the builder's usual ones
     TreeStats stats;
     TimeSummary build, frame;  // ms
     PassedCells lines;         // uniform ones that nothing stops
@@ -47,7 +48,7 @@ struct TreeRow {
     std::optional<double> break_even_frames;
     bool on_front = false;  // of build time and frame time
 
-    [[nodiscard]] std::string name() const;  // "paper, leaves of 2"
+    [[nodiscard]] std::string name() const;  // "paper, leaves of 2", "binned, 8 bins, leaves of 2"
     /// Measured over predicted, per uniform line.
     [[nodiscard]] double line_cost_ratio() const;
     [[nodiscard]] double line_interior_ratio() const;

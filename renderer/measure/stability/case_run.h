@@ -86,7 +86,7 @@ class CaseRun {
   private:
     StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
     /// The traversals that each() walks by.
-    [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals() const;
+    [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals(const RayMachine& machine) const;
     /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.
     struct Reference {
         const FlatScene& scene;

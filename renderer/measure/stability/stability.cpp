@@ -54,6 +54,9 @@ StabilityReport run_stability(const StabilityConfig& config,
     StabilityReport report;
     const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
     const auto machines = open_machines(config, report.notes);
+    if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)
+        report.notes.emplace_back(
+            "on OpenGL stack, restart and backtrack only; the others with --long, or where --traversal names one");
     try {
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const auto tell = [&](float done, const std::string& doing) {

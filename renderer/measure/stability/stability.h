@@ -57,7 +57,7 @@ struct StabilityRow {
 
 struct StabilityReport {
     std::vector<StabilityRow> rows;
-    std::vector<std::string> notes;  // contexts that are not there
+    std::vector<std::string> notes;  // what was left out
     int cases_run = 0;
     double preparing_seconds = 0;  // beside those of the rows: trees, and the oracles that rows are held against
     bool complete = true;          // false where stopped before the end

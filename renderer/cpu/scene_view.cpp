@@ -1,0 +1,22 @@
+#include "renderer/cpu/scene_view.h"
+
+#include "renderer/kdtree/ropes.h"
+
+namespace kd {
+
+SceneView::SceneView(const FlatScene& of_scene, const KdTree& of_tree)
+    : scene(&of_scene), tree(&of_tree), facts(scene_facts(of_scene, of_tree)) {}
+
+void SceneView::prepare(const TraceConfig& config) {
+    needs = scene_needs(facts, config);
+    if (!needs.node_boxes) boxes = {};
+    if (!needs.leaf_copies) duplicated_corners = {};
+    if (!needs.ropes || optimised_ropes != needs.optimised_ropes) ropes = {};
+    if (needs.node_boxes && boxes.empty()) boxes = node_boxes(*tree);
+    if (needs.ropes && ropes.empty()) ropes = make_ropes(*tree, needs.optimised_ropes);
+    optimised_ropes = needs.optimised_ropes;
+    if (needs.leaf_copies && duplicated_corners.empty())
+        duplicated_corners = duplicated_leaf_triangles(*tree, scene->triangles);
+}
+
+}  // namespace kd

@@ -1,0 +1,82 @@
+// stats --traversals: a row for every walk, and the options that only some walks read.
+#include <gtest/gtest.h>
+
+#include "app/json_values.h"
+#include "renderer/io/file.h"
+#include "renderer/measure/walk_table.h"
+#include "tests/app/cli_run.h"
+
+namespace kd {
+namespace {
+
+using test::expect_usage_error;
+using test::Outcome;
+using test::run_kdscope;
+using test::TestFolder;
+
+Json table_of(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"stats",   "rooms",  "--traversals", "--rays",
+                                       "primary", "--size", "32x32",        "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_kdscope(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+}
+
+const Json& row(const Json& table, const std::string& name) {
+    for (const Json& walk : table["walks"])
+        if (walk["name"] == name) return walk;
+    throw std::out_of_range(name);
+}
+
+TEST(StatsTraversals, CountsEveryWalkOverTheStacks) {
+    const TestFolder folder;
+    const Json report = table_of({"--csv", folder.file("w.csv")});
+    ASSERT_EQ(report.size(), 1u);
+    const Json& table = report[0];
+    EXPECT_EQ(table["walks"].size(), walk_variants({}).size());
+    EXPECT_EQ(row(table, "stack")["of_stack"], 1.0);
+    EXPECT_GT(row(table, "kd-restart")["of_stack"], 2.0);
+    EXPECT_LT(row(table, "push-down")["of_stack"], row(table, "kd-restart")["of_stack"]);
+    EXPECT_LT(row(table, "short stack, 4 entries")["of_stack"], 1.03) << "Horn et al. 2007";
+    EXPECT_LT(row(table, "ropes, plain")["of_stack"], 1.05) << "Popov et al. 2007";
+    EXPECT_LT(row(table, "ropes, optimised, from the eye's leaf")["of_stack"], 0.5);
+    EXPECT_FALSE(table["measured_on"]["commit"].get<std::string>().empty());
+    const std::string csv = read_file(folder.file("w.csv"));
+    EXPECT_NE(csv.find("# commit: "), std::string::npos);
+    EXPECT_NE(csv.find("rooms,primary,\"short stack, 1 entry\","), std::string::npos) << csv;
+}
+
+TEST(StatsTraversals, IsATableForPeopleToo) {
+    const Outcome outcome = run_kdscope({"stats", "ball:300", "--traversals", "--rays", "primary", "--size", "16x16"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* part : {"kd-backtrack", "of stack", "(Popov)", "(Horn)", "ways back"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+    expect_usage_error(run_kdscope({"stats", "ball:300", "--traversals", "--divergence"}),
+                       {"--traversals", "--divergence"});
+    expect_usage_error(run_kdscope({"stats", "ball:300", "--traversals", "--traversal", "stack"}),
+                       {"--traversal", "--traversals"});
+}
+
+TEST(WalkChoices, HaveNoEffectOnOtherWalksAndThatIsTold) {
+    const TestFolder folder;
+    const auto notes = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"render", "ball:300", "--size", "8x8", "-o", folder.file("a.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run_kdscope(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    for (const std::vector<std::string>& choice :
+         std::vector<std::vector<std::string>>{{"--short-stack", "2"}, {"--plain-ropes"}, {"--eye-leaf"}})
+        EXPECT_NE(notes(choice).find(choice[0]), std::string::npos) << choice[0];
+    EXPECT_EQ(notes({"--short-stack", "2", "--traversal", "short-stack"}), "");
+    EXPECT_EQ(notes({"--plain-ropes", "--eye-leaf", "--traversal", "ropes"}), "");
+    EXPECT_EQ(notes({"--entry-tile", "8"}), "");
+    EXPECT_NE(notes({"--entry-tile", "8", "--traversal", "ropes"}).find("--entry-tile"), std::string::npos);
+    expect_usage_error(run_kdscope({"render", "ball:300", "-o", folder.file("a.png"), "--short-stack", "9"}),
+                       {"--short-stack", "9"});
+}
+
+}  // namespace
+}  // namespace kd
