@@ -7,6 +7,7 @@
 
 #include "app/common_options.h"
 #include "app/sampled_curve_look.h"
+#include "renderer/measure/error_time/ranking.h"
 #include "viz/chart_axis.h"
 
 namespace kd {
