@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <ostream>
@@ -216,6 +217,11 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
             fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose stack, "
                         "restart or backtrack under the robust rules",
                         info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
+    const std::vector<Traversal> counted = counted_traversals(common);
+    for (const Traversal traversal : wanted_traversals(common, false))
+        if (std::ranges::find(counted, traversal) == counted.end())
+            context.err << fmt::format("kdscope: note: {} left out: no shader of it counts lanes\n",
+                                       info(traversal).name);
     check_outputs({{"--csv", options.csv}}, {});
     if (!options.maps.empty()) make_output_folder("--maps", options.maps);
     const std::unique_ptr<Context> gl = Context::create(common.context.value_or(ContextKind::automatic));
