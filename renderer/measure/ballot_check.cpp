@@ -35,6 +35,7 @@ class Rounds {
   public:
     Rounds(const BallotTask& task, const std::stop_token& stop) : task_(task), config_(task.config) {
         config_.reflection_depth = std::min(config_.reflection_depth, 1);
+        config_.entry_tile = 0;  // the shader that counts takes rays from a table, each from the root
         frame_ = Frame(task.width, task.height);
         CpuTracer(task.scene, task.tree).trace_frame(config_, task.camera, frame_, task.threads, stop);
         const int count = shadow(task.rays) ? int(task.scene.lights.size()) : 1;

@@ -83,6 +83,8 @@ void record_block(Recording& recording, BlockWalks& block) {
                       entry_points(request.tree, recording.view.boxes, request.config,
                                    {request.camera, request.width, request.height, block.area.x0, block.area.y0,
                                     block.area.x1, block.area.y1})};
+    // What the walks are compared with begins at the root, wherever they do.
+    const TileJob from_root{recording.view, request.config, request.camera, block.area, recording.none};
     WalkObserver nobody;
     Kernel<WalkObserver, rules> kernel(recording.view, request.config, nobody);
     CountingObserver uncounted;
@@ -100,7 +102,7 @@ void record_block(Recording& recording, BlockWalks& block) {
             if (pixel.hit_triangle >= 0) pixel.hit_leaf = leaf_of_hit(request.tree, pixel.rays, pixel.hit_triangle);
             if (!request.with_stack) continue;
             std::array<CountingObserver, pass_count> counted{};
-            walk_pixel(stack_kernel, job, int2(x, y), size, request.rays, counted, stack_hits);
+            walk_pixel(stack_kernel, from_root, int2(x, y), size, request.rays, counted, stack_hits);
             const RayCounters& c = counted[pass].counters;
             pixel.stack_interior = std::uint64_t(c.interior_first) + c.interior_again;
             pixel.same_hit = bit_equal(hits[pass], stack_hits[pass]);

@@ -10,6 +10,8 @@ std::vector<WalkVariant> walk_variants(const TraceConfig& base) {
     std::vector<WalkVariant> variants;
     const auto add = [&](std::string name, Traversal traversal, std::string published) -> TraceConfig& {
         variants.push_back({std::move(name), base, std::move(published)});
+        variants.back().config.entry_tile = 0;
+        variants.back().config.eye_leaf = false;
         variants.back().config.traversal = traversal;
         return variants.back().config;
     };

@@ -77,6 +77,17 @@ TEST(RecordWalks, AreWhatTheCountersCount) {
             SCOPED_TRACE(std::string(traversal.name) + " " + std::string(ray_names[std::size_t(pass)]));
             cornell.compare({.traversal = traversal.id, .reflection_depth = 3}, Pass(pass));
         }
+    const Recorded rooms("rooms");  // with the camera inside
+    for (const TraceConfig& config : {TraceConfig{.traversal = Traversal::ropes, .eye_leaf = true},
+                                      TraceConfig{.traversal = Traversal::stack, .entry_tile = 8}}) {
+        WalkRequest request = rooms.request(config, Pass::rt_prim);
+        request.with_stack = true;
+        std::atomic<int> unlike = 0;
+        record_walks(request, [&](const BlockWalks& block) {
+            for (const PixelWalks& pixel : block.pixels) unlike += !pixel.same_hit;
+        });
+        EXPECT_EQ(unlike, 0) << "the stack's walk begins at the root";
+    }
     cornell.compare({.traversal = Traversal::ropes, .eye_leaf = true}, Pass::rt_prim);
     cornell.compare({.traversal = Traversal::stack, .entry_tile = 8}, Pass::rt_prim);
 }
