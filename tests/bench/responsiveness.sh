@@ -19,7 +19,7 @@ folder=$(mktemp -d)
 export XDG_CONFIG_HOME=$folder KDSCOPE_EVENT_LOG=$folder/events.csv KDSCOPE_STATE_FILE=$folder/state.json
 "$kdscope" "$scene" &
 pid=$!
-trap 'kill $pid 2>/dev/null; wait $pid 2>/dev/null; rm -rf "$folder"' EXIT
+trap '{ kill $pid; wait $pid; } 2>/dev/null || true; rm -rf "$folder"' EXIT
 until [[ -f $KDSCOPE_STATE_FILE ]]; do sleep 0.2; done
 window=$(xdotool search --name '^kdscope$' | tail -1)
 xdotool windowmove "$window" 0 0 windowsize "$window" 1920 1080
