@@ -45,10 +45,19 @@ KD_FN real nearly_tied(real start, real addend, real sum)
     return abs(miss) < real(1e-4) * abs(lost) ? other : sum;
 }
 
-KD_FN real quotient(real a, real b)
+/// What brings a number below those of product_fits among them, without rounding: an even power of two, 2^48; else 1.
+KD_FN real lift_of(real a)
 {
-    PRECISE real q = a / b;
+    return abs(a) > real(1e-24) ? real(1) : real(281474976710656.0);
+}
+
+KD_FN real quotient(real dividend, real divisor)
+{
+    PRECISE real q = dividend / divisor;
     if (KD_CORRECTED_ROUNDING == 0) return q;
+    real lift = lift_of(dividend);
+    PRECISE real a = dividend * lift;
+    PRECISE real b = divisor * lift;
     bool exact = product_fits(a) && factor_fits(q) && factor_fits(b);
     if (!exact) return q;
     PRECISE real step = remainder_of(a, q, b) / b;
@@ -58,15 +67,19 @@ KD_FN real quotient(real a, real b)
     return nearest;
 }
 
-KD_FN real square_root(real a)
+KD_FN real square_root(real radicand)
 {
+    PRECISE real given = sqrt(radicand);
+    if (KD_CORRECTED_ROUNDING == 0) return given;
+    real lift = lift_of(radicand);
+    real lower = lift == real(1) ? real(1) : real(5.9604644775390625e-8);  // 1 / square root of lift
+    PRECISE real a = radicand * lift;
+    if (!product_fits(a)) return given;
     PRECISE real root = sqrt(a);
-    if (KD_CORRECTED_ROUNDING == 0) return root;
-    if (!product_fits(a)) return root;
     PRECISE real step = remainder_of(a, root, root) / (root + root);
     PRECISE real nearest = root + step;
     real other = nearly_tied(root, step, nearest);
     if (KD_RARE(other != nearest) && abs(remainder_of(a, other, other)) < abs(remainder_of(a, nearest, nearest)))
-        return other;
-    return nearest;
+        return other * lower;
+    return nearest * lower;
 }

@@ -25,6 +25,7 @@ Rough operator*(Rough a, Rough b) { return Rough(a.value * b.value); }
 Rough operator/(Rough a, Rough b) { return moved(a.value / b.value); }
 bool operator<(Rough a, Rough b) { return a.value < b.value; }
 bool operator>(Rough a, Rough b) { return a.value > b.value; }
+bool operator==(Rough a, Rough b) { return a.value == b.value; }
 bool operator!=(Rough a, Rough b) { return a.value != b.value; }
 Rough abs(Rough a) { return Rough(std::abs(a.value)); }
 Rough sqrt(Rough a) { return moved(std::sqrt(a.value)); }
@@ -52,6 +53,21 @@ TEST(Rounding, QuotientsAndRootsAreCorrectedToTheNearestNumber) {
             // A divisor just below a power of two brings quotients closest to the middle between two numbers.
             if (i % 3 == 0) b = std::ldexp(std::nextafter(1.0f, 0.0f), random.below(61) - 30);
             ASSERT_EQ(rough::quotient(Rough(a), Rough(b)).value, a / b) << std::hexfloat << a << " / " << b;
+            const float square = std::abs(a);
+            ASSERT_EQ(rough::square_root(Rough(square)).value, std::sqrt(square)) << std::hexfloat << square;
+        }
+}
+
+// A shadow ray of triangles 2^-20 wide divides 2^-81 by 2^-41 (T38): remainders underflow unless both are lifted.
+TEST(Rounding, QuotientsAndRootsOfSmallNumbersAreCorrectedToo) {
+    test::Random random(2);
+    for (off_by = -3; off_by <= 3; ++off_by)
+        for (int i = 0; i < 300000; ++i) {
+            const float a = std::ldexp(number(random, 23), -102);  // 2^-125 to 2^-79
+            const float b = std::ldexp(number(random, 10), random.below(60) - 70);
+            const float exact = a / b;
+            if (std::abs(exact) < 2e-30f || std::abs(exact) > 1e29f || std::abs(b) * 0x1p48f < 2e-30f) continue;
+            ASSERT_EQ(rough::quotient(Rough(a), Rough(b)).value, exact) << std::hexfloat << a << " / " << b;
             const float square = std::abs(a);
             ASSERT_EQ(rough::square_root(Rough(square)).value, std::sqrt(square)) << std::hexfloat << square;
         }
