@@ -124,7 +124,7 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
         add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
                           text("Cost t_i of one triangle test", build.intersection_cost)),
         add_number<float>(app, "--empty-bonus", build.empty_bonus, 0.0f, 1.0f,
-                          text("b_e: fraction of the test cost forgiven where a child is empty", build.empty_bonus)),
+                          text("b_e: fraction of the intersection cost forgiven where a child is empty", build.empty_bonus)),
         add_number<float>(app, "--empty-bonus-gate", build.empty_bonus_gate, 0.0f, 1.0f,
                           text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
                                build.empty_bonus_gate)),

@@ -92,8 +92,11 @@ void Engine::run_case(const std::string& id, bool all_traversals) {
     config.cases = {id};
     const Session& s = state_.session;
     config.rules = s.trace.rules;
-    if (!all_traversals && s.trace.traversal != Traversal::naive)
-        config.traversals = {std::string(info(s.trace.traversal).name)};
+    // By name, because a suite that was asked for none leaves some to the CPU.
+    const bool all = all_traversals || s.trace.traversal == Traversal::naive;
+    for (const TraversalInfo& traversal : traversals())
+        if (traversal.id != Traversal::naive && (all || traversal.id == s.trace.traversal))
+            config.traversals.emplace_back(traversal.name);
     if (options_.open_gl) config.contexts = {ContextKind::automatic};
     config.threads = s.threads;
     config.seed = s.seed;

@@ -5,6 +5,7 @@
 #include <version.h>
 
 #include "app/json_values.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -23,27 +24,15 @@ std::string tree_text(const BuildConfig& b) {
     return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{})", b.builder, b.traversal_cost,
                        b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
                        builder && builder->has_bins ? fmt::format(", {} bins", b.bins) : "",
-                       b.trim_leaves ? "" : ", box leaves", changed("depth limit", b.max_depth, start.max_depth),
+                       b.trim_leaves ? "" : ", box leaves", changed("max depth", b.max_depth, start.max_depth),
                        changed("empty parts cut off from", b.empty_cut, start.empty_cut),
-                       changed("bad splits", b.bad_refines, start.bad_refines),
+                       changed("bad refines", b.bad_refines, start.bad_refines),
                        changed("reference cap", b.reference_cap, start.reference_cap));
 }
 
 std::string camera_words(const Camera& c) {
     const auto text = [](Vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     return fmt::format(", camera \"{} {} {} {}\"", text(c.eye), text(c.target), text(c.up), c.fov_y_degrees);
-}
-
-/// "short-stack of 4 entries", "ropes, plain, from the eye's leaf".
-std::string walk_text(const TraceConfig& trace) {
-    const TraversalInfo& walk = info(trace.traversal);
-    std::string text(walk.name);
-    if (walk.has(walk_short_stack))
-        text += fmt::format(" of {} entr{}", trace.short_stack, trace.short_stack == 1 ? "y" : "ies");
-    if (walk.has(walk_ropes))
-        text += std::string(trace.optimised_ropes ? "" : ", plain") + (trace.eye_leaf ? ", from the eye's leaf" : "");
-    if (enters_by_tile(trace)) text += fmt::format(" from entry points of {0}x{0} tiles", trace.entry_tile);
-    return text;
 }
 
 /// What else differs from the default, with a comma before each; the camera as option --camera takes it.
@@ -87,7 +76,7 @@ std::string caption_of(const FigureFacts& f) {
     return fmt::format(
         "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
         f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build), walk_text(f.trace),
-        info(f.trace.rules).name, leaf_lists_text(f.trace.leaf_lists), differences(f), tracer_text(f), f.width,
+        info(rules_in_force(f.trace)).name, leaf_lists_text(f.trace.leaf_lists), differences(f), tracer_text(f), f.width,
         f.height, time_text(f), build::version);
 }
 

@@ -6,7 +6,9 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"
+#include "renderer/kdtree/ropes.h"
 #include "renderer/scene/procedural.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -37,6 +39,11 @@ void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const Co
         context.err << fmt::format("kdscope: note: {} has no effect: {}\n", use->option, printable(use->otherwise));
 }
 
+void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const CommandContext& context) {
+    if (session.trace.eye_leaf && leaf_at(tree, eye) < 0)
+        context.err << "kdscope: note: --eye-leaf has no effect: the camera is outside of the tree\n";
+}
+
 OptionUse bins_use(const Session& session, bool all_builders) {
     const Builder* builder = find_builder(session.build.builder);
     return {"--bins", all_builders || (builder && builder->has_bins),
@@ -48,24 +55,25 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
     const bool named = options.tracer.has_value() || !all_tracers;
     const bool gl = !named || session.tracer == TracerKind::gl_fragment;
     const bool cpu = !named || session.tracer == TracerKind::cpu;
-    const bool walks = (all_tracers && !options.traversal) || session.trace.traversal != Traversal::naive;
-    const auto walked = [&](WalkNeeds need) {
-        return (all_tracers && !options.traversal) || info(session.trace.traversal).has(need);
+    // Where every traversal is run, some have a use for each choice.
+    const bool every_walk = all_tracers && !options.traversal;
+    const auto walk_use = [&](const char* option, WalkChoice choice) {
+        const std::string why = every_walk ? "" : why_idle(choice, session.trace);
+        return OptionUse{option, why.empty(), why};
     };
+    const bool walks = every_walk || session.trace.traversal != Traversal::naive;
     const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
-    const std::string no_walk = "the loop over all triangles (naive) walks no tree";
     return {
         {"--context", gl, no_gl},
         {"--early-z", gl, no_gl},
         {"--count-shaded", gl, no_gl},
         {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
-        {"--leaf-lists", walks, no_walk},
-        {"--short-stack", walked(walk_short_stack), "the walk keeps none; --traversal short-stack would"},
-        {"--plain-ropes", walked(walk_ropes), "the walk follows none; --traversal ropes would"},
-        {"--entry-tile", session.trace.entry_tile == 0 || all_tracers || enters_by_tile(session.trace),
-         "only robust walks down from a node use it; ropes and naive are none"},
-        {"--eye-leaf", walked(walk_ropes), "only ropes lead on from there; add --traversal ropes"},
-        {"--rules", walks, no_walk},
+        {"--leaf-lists", walks, "the loop over all triangles (naive) walks no tree"},
+        walk_use("--short-stack", WalkChoice::short_stack),
+        walk_use("--plain-ropes", WalkChoice::plain_ropes),
+        walk_use("--entry-tile", WalkChoice::entry_tile),
+        walk_use("--eye-leaf", WalkChoice::eye_leaf),
+        walk_use("--rules", WalkChoice::rules),
         {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
         bins_use(session, all_builders && !options.builder),
         {"--seed", random_rays || is_seeded(session.scene), fmt::format("nothing in {} is random", session.scene)},

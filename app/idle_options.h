@@ -22,6 +22,9 @@ void refuse_idle(const CLI::App& app, const std::vector<OptionUse>& uses);
 /// A line on standard error for each option that was given and does no harm by doing nothing.
 void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const CommandContext& context);
 
+/// The same of --eye-leaf where the eye is in no leaf.
+void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const CommandContext& context);
+
 /// Option --bins, in a command that makes every tree where `all_builders`.
 [[nodiscard]] OptionUse bins_use(const Session& session, bool all_builders);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <ostream>
 
+#include "app/idle_options.h"
 #include "app/machine_info.h"
 #include "app/progress_line.h"
 #include "renderer/measure/frame_judge.h"
@@ -26,6 +27,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     const Session& s = r.session;
     r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop);
     check_stop(context);
+    note_idle_eye(s, r.tree, r.scene.camera.eye, context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.facts = scene_facts(r.scene, r.tree);
     r.left_out = left_out(r.facts, s.trace, s.tracer == TracerKind::cpu);

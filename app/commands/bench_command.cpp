@@ -111,6 +111,7 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     bench.scene = open_scene(options, bench.session);
     bench.tree = build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop);
     check_stop(context);
+    note_idle_eye(bench.session, bench.tree, bench.scene.camera.eye, context);
     const auto& [w, h] = std::pair(bench.session.width, bench.session.height);
     bench.camera = pinhole(bench.scene.camera, w, h);
     bench.rays = count_rays(bench.scene, bench.tree, bench.session.trace, bench.camera, w, h, context.stop);

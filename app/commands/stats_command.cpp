@@ -169,6 +169,8 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversa
                       {"--svg", divergence, "only --divergence has a curve to draw; add it"},
                       {"--maps", ballot, "only --ballot measures them; add it"},
                       {"--tile", divergence, "only --divergence has groups to choose; add it"}});
+    for (const char* shown : {"--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
+        refuse_idle(app, {{shown, !traversals, "--traversals shows them with and without; leave one of them out"}});
     for (const char* camera : {"--eye", "--target", "--up", "--fov", "--camera"})
         if (app.get_option_no_throw(camera)) refuse_idle(app, {{camera, walks, no_walks}});
 }

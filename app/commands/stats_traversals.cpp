@@ -81,10 +81,10 @@ constexpr const char* csv_head =
     "scene,rays,walk,ray_count,interior_first,interior_again,leaves,triangle_tests,restarts,backtracks,of_stack\n";
 
 constexpr const char* explanation =
-    "\ninterior: visits of interior nodes; again: of nodes that the ray had been at. ways back: restarts and climbs; "
-    "of "
-    "ropes, rays that\nkd-restart took over. of stack: interior visits over the stack's. published: Popov et al. 2007, "
-    "Table 2, down steps of primary rays in four scenes;\nHorn et al. 2007; the paper, section 4.3.\n";
+    "\ninterior: visits of interior nodes; again: of nodes that the ray had been at.\n"
+    "ways back: restarts and climbs; of ropes, rays that kd-restart took over. of stack: interior visits over the stack's.\n"
+    "published: Popov et al. 2007, Table 2, down steps of primary rays in four scenes; Horn et al. 2007; the paper, section "
+    "4.3.\n";
 
 }  // namespace
 

@@ -131,6 +131,8 @@ int report(const TraceOptions& options, const TraceCheck& check, CommandContext&
 int run(const CLI::App& app, const TraceOptions& options, CommandContext& context) {
     Session session = options.session_for(options.scenes.front());
     note_idle(app, shared_uses(options, session, true), context);
+    const std::string at_the_root = "single rays begin at the root";
+    note_idle(app, {{"--eye-leaf", false, at_the_root}, {"--entry-tile", false, at_the_root}}, context);
     const bool to_file = options.output != "-";
     check_outputs({{"--output", to_file ? options.output : ""}, {"--failures", options.failures}},
                   {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});

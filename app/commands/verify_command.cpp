@@ -100,7 +100,8 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
         refuse_idle(app, {{option, !options.needs, rays}});
     const std::string frames = "single rays are traced; only --needs traces frames with their shading";
     for (const char* option :
-         {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution", "--force"})
+         {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution", "--force", "--eye-leaf",
+          "--entry-tile"})
         refuse_idle(app, {{option, options.needs, frames}});
     for (const char* option : {"--early-z", "--force"})
         refuse_idle(app,

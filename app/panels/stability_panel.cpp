@@ -133,7 +133,7 @@ void draw_value_slider(const Sweep& sweep, Edit& edit) {
 void draw_case(const EngineState& state, const StabilityCase& info, Edit& edit) {
     const Sweep* sweep = find_sweep(info.id);
     ImGui::PushFont(theme::font(theme::Type::heading));
-    ImGui::TextUnformatted(fmt::format("{}  {}", info.id, info.title).c_str());
+    widgets::note(fmt::format("{}  {}", info.id, info.title), theme::text);
     ImGui::PopFont();
     const float width = theme::px(84);
     draw_scene_buttons(info, width, edit);

@@ -6,38 +6,44 @@
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "renderer/kdtree/ropes.h"
 #include "renderer/trace/traversal.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
 namespace kd {
 
 namespace {
 
-/// What only some walks have to choose.
-void draw_walk_choices(TraceConfig& trace, const TraversalInfo& walk) {
+/// What only some walks have to choose; greyed out where the rest of the settings leaves it without effect.
+void draw_walk_choices(const EngineState& state, TraceConfig& trace) {
+    const TraversalInfo& walk = info(trace.traversal);
     if (walk.has(walk_short_stack))
         widgets::slider(
             "entries", trace.short_stack, 1, max_short_stack, "%d",
             "Far children that a ray keeps. More spare restarts, and take registers. Option --short-stack.");
-    if (!walk.has(walk_ropes)) {
-        if (walk.id != Traversal::naive && trace.rules == Rules::robust)
-            widgets::slider(
-                "entry tiles", trace.entry_tile, 0, 64, trace.entry_tile == 0 ? "off" : "%d px",
-                "Primary rays begin at the deepest node outside of which their tile of pixels meets nothing "
-                "(Reshetov et al. 2005, MLRTA), not at the root. Option --entry-tile.");
+    if (walk.has(walk_ropes)) {
+        widgets::toggle(
+            "optimised ropes", trace.optimised_ropes,
+            "On: each rope leads to the smallest cell that its whole face borders on. Off: to the sibling across "
+            "the plane, with all the way down from there. Option --plain-ropes.");
+        const bool outside = state.world && leaf_at(state.world->tree, state.camera.eye) < 0;
+        widgets::toggle("from the eye's leaf", trace.eye_leaf,
+                        widgets::tip_of("Primary rays begin in the leaf that the camera is in and spare the way down to "
+                                        "it. Option --eye-leaf.",
+                                        outside ? "the camera is outside of the tree" : ""));
         return;
     }
-    widgets::toggle(
-        "optimised ropes", trace.optimised_ropes,
-        "On: each rope leads to the smallest cell that its whole face borders on. Off: to the sibling across "
-        "the plane, with all the way down from there. Option --plain-ropes.");
-    widgets::toggle(
-        "from the eye's leaf", trace.eye_leaf,
-        "Primary rays begin in the leaf that the camera is in and spare the way down to it. Nothing changes "
-        "for a camera outside of the tree. Option --eye-leaf.");
+    const std::string idle = why_idle(WalkChoice::entry_tile, trace);
+    ImGui::BeginDisabled(!idle.empty());
+    widgets::slider("entry tiles", trace.entry_tile, 0, 64, trace.entry_tile == 0 ? "off" : "%d px",
+                    widgets::tip_of("Primary rays begin at the deepest node outside of which their tile of pixels meets "
+                                    "nothing (Reshetov et al. 2005, MLRTA), not at the root. Option --entry-tile.",
+                                    idle));
+    ImGui::EndDisabled();
 }
 
-void draw_traversal(Edit& edit) {
+void draw_traversal(const EngineState& state, Edit& edit) {
     TraceConfig& trace = edit.session.trace;
     const TraversalInfo& walk = info(trace.traversal);
     int index = int(trace.traversal);
@@ -45,7 +51,7 @@ void draw_traversal(Edit& edit) {
                         fmt::format("How a ray walks the tree. Key T: the next. Option --traversal.\n\n{}\n\n{}",
                                     walk.paragraph, walk.source)))
         trace.traversal = Traversal(index);
-    draw_walk_choices(trace, info(trace.traversal));
+    draw_walk_choices(state, trace);
 }
 
 /// Why the GPU cannot be had, as a paragraph for tooltips.
@@ -96,8 +102,10 @@ void draw_rules(TraceConfig& trace) {
     static const std::vector<widgets::Option> options = widgets::options_of(all_rules());
     int index = int(trace.rules);
     if (widgets::choice("rules", index, options,
-                        "How a walk decides between children and goes on. Published rules lose rays that touch split "
-                        "planes, and some walks never end: see the map 'exit'. Option --rules."))
+                        widgets::tip_of("How a walk decides between children and goes on. Published rules lose rays "
+                                        "that touch split planes, and some walks never end: see the map 'exit'. Option "
+                                        "--rules.",
+                                        why_idle(WalkChoice::rules, trace))))
         trace.rules = Rules(index);
 }
 
@@ -176,7 +184,7 @@ void draw_passes_run(const TracedFrame& traced) {
 
 void draw_tracing_panel(const EngineState& state, Edit& edit) {
     TraceConfig& trace = edit.session.trace;
-    draw_traversal(edit);
+    draw_traversal(state, edit);
     draw_tracer(state, edit);
     draw_bounces(state, trace);
     if (state.picture) draw_passes_run(state.picture->traced);

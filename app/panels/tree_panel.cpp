@@ -16,11 +16,11 @@ void draw_builder(Edit& edit) {
 }
 
 void draw_constants(BuildConfig& b) {
-    widgets::slider("step cost (t_t)", b.traversal_cost, 0.1f, 10, "%.2f",
+    widgets::slider("traversal cost (t_t)", b.traversal_cost, 0.1f, 10, "%.2f",
                     "Of visiting one interior node. Larger makes flatter trees with larger leaves. Option "
                     "--traversal-cost.",
                     true);
-    widgets::slider("test cost (t_i)", b.intersection_cost, 0.1f, 10, "%.2f",
+    widgets::slider("intersection cost (t_i)", b.intersection_cost, 0.1f, 10, "%.2f",
                     "Of one triangle test. Larger makes deeper trees with fewer tests. Option --intersection-cost.",
                     true);
     widgets::slider("empty bonus (b_e)", b.empty_bonus, 0, 1, "%.2f",
@@ -37,7 +37,7 @@ void draw_constants(BuildConfig& b) {
 
 void draw_more_constants(BuildConfig& b, const EngineState& state) {
     if (!widgets::fold("more constants", false)) return;
-    widgets::slider("bonus from", b.empty_bonus_gate, 0, 1, "%.2f",
+    widgets::slider("bonus gate", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node. 0 is the "
                     "paper's rule. Option --empty-bonus-gate.");
     widgets::slider(
@@ -45,9 +45,9 @@ void draw_more_constants(BuildConfig& b, const EngineState& state) {
         "Where at least this share of a node, from one face on, is empty, it is cut off before anything else "
         "is tried: long empty stretches end in one step. 0: never. Option --empty-cut.");
     const int automatic = state.world ? depth_limit(BuildConfig{}, state.world->scene().triangles.size()) : 0;
-    widgets::slider("depth limit", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
+    widgets::slider("max depth", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
                     fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}. Option --max-depth.", automatic));
-    widgets::slider("bad splits", b.bad_refines, 0, 10, "%d",
+    widgets::slider("bad refines", b.bad_refines, 0, 10, "%d",
                     "How often on one path a split may cost more than it saves before the node becomes a leaf. Option "
                     "--bad-refines.");
     widgets::slider("reference cap", b.reference_cap, 1, 256, "%.0f",

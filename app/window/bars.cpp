@@ -14,6 +14,7 @@
 #include "app/window/widgets.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/trace/traversal.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -97,7 +98,7 @@ void draw_badge(const EngineState& state, Edit& edit) {
     const TraceConfig& trace = state.session.trace;
     const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
     std::string what = fmt::format("{} · {}", machine, info(trace.traversal).name);
-    if (trace.rules != Rules::robust) what += fmt::format(" · {}", info(trace.rules).name);
+    if (const Rules rules = rules_in_force(trace); rules != Rules::robust) what += fmt::format(" · {}", info(rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float width = ImGui::CalcTextSize(what.c_str()).x + theme::px(24);
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - help - theme::px(24)));

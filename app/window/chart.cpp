@@ -231,12 +231,14 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
     float right = theme::px(12);
     if (!chart.x.ticks.empty() && chart.x.position(chart.x.ticks.back().value) > 0.98)
         right = std::max(right, size_of(chart.x.ticks.back().text).x / 2 + theme::px(4));
-    const Plane plane{{corner.x + margin, corner.y + line + theme::px(6)},
+    const std::string heading = heading_of(chart);
+    const float heading_height = ImGui::CalcTextSize(heading.c_str(), nullptr, false, size.x).y;
+    const Plane plane{{corner.x + margin, corner.y + heading_height + theme::px(6)},
                       {corner.x + size.x - right, corner.y + size.y - 2 * line - theme::px(8)},
                       chart};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);  // beside it may stand another chart
-    list.AddText({corner.x, corner.y}, theme::text, heading_of(chart).c_str());
+    list.AddText(nullptr, 0, corner, theme::text, heading.c_str(), nullptr, size.x);
     list.PopClipRect();
     list.AddRectFilled(plane.low, plane.high, theme::sunken);
     draw_axes(list, plane);

@@ -75,7 +75,7 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_L, plain, "L", see, "lock the range, or let it go",
      [](State s, Edit& e) { edits::lock_range(s, e, e.session.view.heat.range_mode == RangeMode::automatic); }},
 
-    {GLFW_KEY_T, plain, "T", change, "next traversal", [](State, Edit& e) { edits::next_traversal(e); }},
+    {GLFW_KEY_T, plain, "T", change, "next traversal, but the naive", [](State, Edit& e) { edits::next_traversal(e); }},
     {GLFW_KEY_B, plain, "B", change, "next builder", [](State, Edit& e) { edits::next_builder(e); }},
     {GLFW_KEY_V, plain, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
 

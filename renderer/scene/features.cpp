@@ -5,6 +5,7 @@
 
 #include "renderer/scene/needs.h"
 #include "renderer/scene/needs_sizes.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -87,8 +88,7 @@ FeatureNeed wide_references(Facts f, Config) {
 
 FeatureNeed deep_tree(Facts f, Config c) {
     const TraversalInfo& walk = info(c.traversal);
-    const bool published = c.rules != Rules::robust && walk.has_published_form();
-    const bool trail = walk.has(walk_trail) && !published;
+    const bool trail = walk.has(walk_trail) && rules_in_force(c) == Rules::robust;
     if (!walk.has(walk_stack) && !trail) return refused("this walk keeps neither stack nor trail");
     const int levels = compiled_levels(f.deepest_leaf);
     const bool full = levels == max_tree_depth || (trail && f.deepest_leaf > short_trail);

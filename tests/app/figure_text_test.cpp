@@ -56,9 +56,9 @@ TEST(FigureText, CaptionNamesWhatDiffersFromTheDefault) {
         return text.replace(text.find("{}"), 2, early_z);
     };
     EXPECT_NE(caption_of(facts).find(with("")), std::string::npos) << caption_of(facts);
-    EXPECT_NE(caption_of(facts).find("depth limit 9, bad splits 5, reference cap 12)"), std::string::npos);
+    EXPECT_NE(caption_of(facts).find("max depth 9, bad refines 5, reference cap 12)"), std::string::npos);
     facts.build.builder = "binned";
-    EXPECT_NE(caption_of(facts).find("leaf 2, 32 bins, depth limit 9"), std::string::npos) << caption_of(facts);
+    EXPECT_NE(caption_of(facts).find("leaf 2, 32 bins, max depth 9"), std::string::npos) << caption_of(facts);
     facts.tracer = TracerKind::gl_fragment;
     EXPECT_NE(caption_of(facts).find(with(", early z as published")), std::string::npos) << caption_of(facts);
 }

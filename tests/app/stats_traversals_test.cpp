@@ -71,11 +71,24 @@ TEST(WalkChoices, HaveNoEffectOnOtherWalksAndThatIsTold) {
          std::vector<std::vector<std::string>>{{"--short-stack", "2"}, {"--plain-ropes"}, {"--eye-leaf"}})
         EXPECT_NE(notes(choice).find(choice[0]), std::string::npos) << choice[0];
     EXPECT_EQ(notes({"--short-stack", "2", "--traversal", "short-stack"}), "");
-    EXPECT_EQ(notes({"--plain-ropes", "--eye-leaf", "--traversal", "ropes"}), "");
+    EXPECT_EQ(notes({"--plain-ropes", "--traversal", "ropes"}), "");
+    // The camera of ball is outside of its box, in no leaf.
+    EXPECT_NE(notes({"--eye-leaf", "--traversal", "ropes"}).find("outside of the tree"), std::string::npos);
+    EXPECT_EQ(notes({"--eye-leaf", "--traversal", "ropes", "--eye", "0.5,0.5,0.9"}), "");
+    // Only three walks have forms as published.
+    EXPECT_NE(notes({"--rules", "as-published", "--traversal", "push-down"}).find("--rules"), std::string::npos);
+    EXPECT_EQ(notes({"--rules", "as-published", "--traversal", "restart"}), "");
     EXPECT_EQ(notes({"--entry-tile", "8"}), "");
     EXPECT_NE(notes({"--entry-tile", "8", "--traversal", "ropes"}).find("--entry-tile"), std::string::npos);
     expect_usage_error(run_kdscope({"render", "ball:300", "-o", folder.file("a.png"), "--short-stack", "9"}),
                        {"--short-stack", "9"});
+    expect_usage_error(run_kdscope({"stats", "ball:300", "--traversals", "--short-stack", "2"}), {"--short-stack"});
+}
+
+TEST(StatsTraversals, RaysThatThereAreNoneOfAreSaidToBeNone) {
+    const Outcome outcome = run_kdscope({"stats", "ball:300", "--size", "8x8", "--traversals", "--rays", "reflection"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("no pixel has one"), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ StabilityCase case_T61() {
     return {
         "T61",
         "Long run",
-        "A camera round a sphere, 100 frames of 8x8 a turn; 10,000 frames by each traversal (100,000 with --long)",
+        "A camera round a sphere, 100 frames of 8x8 a turn; 10,000 frames by each traversal (100,000 in a long run)",
         "the first frame",
         "each turn begins with the first frame bit for bit; memory grows by less than 1 MB; no OpenGL object is left "
         "behind",

@@ -229,7 +229,7 @@ StabilityCase case_T45() {
 StabilityCase case_T46() {
     return {"T46",
             "Integers through the graphics memory",
-            "100,352 triangles of one plane (1,002,528 with --long), a ray to the middle of each",
+            "100,352 triangles of one plane (1,002,528 in a long run), a ray to the middle of each",
             "exact: the triangle's own number; brute force",
             "every number comes back",
             run_numbers};
@@ -238,7 +238,7 @@ StabilityCase case_T46() {
 StabilityCase case_T47() {
     return {"T47",
             "Places at the ends of rows",
-            "Lists of 4095, 4096, 4097, 8193 and 1,677,722 rays (2^24 with --long) that each answer with a number of "
+            "Lists of 4095, 4096, 4097, 8193 and 1,677,722 rays (2^24 in a long run) that each answer with a number of "
             "their own",
             "exact",
             "every ray gets its own answer",

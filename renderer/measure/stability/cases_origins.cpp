@@ -205,7 +205,7 @@ StabilityCase case_T57() {
     return {"T57",
             "Eyes on surfaces and amid everything",
             "A sphere of 6240 triangles: rays and pictures from vertices and from inside the planes of triangles; a "
-            "picture from the centre of 100,000 random triangles (1,000,000 with --long)",
+            "picture from the centre of 100,000 random triangles (1,000,000 in a long run)",
             "brute force",
             "0 mismatches, no colour that is not finite",
             run_eyes_on_surfaces};

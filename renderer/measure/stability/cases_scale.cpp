@@ -297,8 +297,8 @@ StabilityCase case_T24() {
     return {
         "T24",
         "Teapot in a stadium",
-        "A sphere of 10,000 triangles and radius 0.001 in the middle of a room of size 10,000; 1000 rays (10,000 with "
-        "--long) from near the sphere and from across the room",
+        "A sphere of 10,000 triangles and radius 0.001 in the middle of a room of size 10,000; 1000 rays (10,000 in a "
+        "long run) from near the sphere and from across the room",
         "brute force; double precision for rays from near",
         "0 mismatches, every ray hits, t within 64 ulp",
         run_speck_in_room,

@@ -216,7 +216,7 @@ StabilityCase case_T25() {
     return {
         "T25",
         "Slivers",
-        "1000 triangles (10,000 with --long) of length 1 and width 1e-3, 1e-5, 1e-7, 1e-9; rays to points on them",
+        "1000 triangles (10,000 in a long run) of length 1 and width 1e-3, 1e-5, 1e-7, 1e-9; rays to points on them",
         "brute force; double precision",
         "no hit more than 1e-5 of the diagonal, over the sine of the ray's angle to the sliver's length, outside its "
         "triangle's box; a miss only where the ray is within the slack "
@@ -267,7 +267,7 @@ StabilityCase case_T30() {
             "Planes an ulp apart",
             "Two parallel planes at z = 1 and z = 1000, apart by 1, 2 and 8 ulp and by 1e-6 of z; the farther one has "
             "the lower "
-            "numbers; 10 frames (100 with --long)",
+            "numbers; 10 frames (100 in a long run)",
             "brute force; the nearer plane where 4 ulp of t or more apart",
             "the nearer plane wins, every frame is the same",
             [](CaseRun& run) {
