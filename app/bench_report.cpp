@@ -34,9 +34,7 @@ std::string parts_text(const BenchRow& row) {
     if (!passes.empty()) passes += " ms";
     std::string text =
         fmt::format("upload {:.1f} ms, compile {:.1f} ms{}", row.setup.upload_ms, row.setup.compile_ms, passes);
-    if (const double off = row.timed.clock_discrepancy(); off != 0)
-        text += fmt::format("; the steady clock says {:+.1f} %", 100 * off);
-    return text;
+    return text + clock_check_text(row.timed.clock_discrepancy());
 }
 
 void print_head(std::ostream& out, const BenchScene& bench) {

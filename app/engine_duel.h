@@ -13,7 +13,7 @@
 
 namespace kd {
 
-/// One frame by the CPU, then the same by the GPU.
+/// One frame by the CPU and the same by the GPU, now the one first and now the other.
 struct DuelRound {
     TimeSample cpu, gl;
 };

@@ -181,7 +181,7 @@ std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int ro
     const auto frame = [&](FeatureSet forced) {
         task.config.forced = forced;
         machine.prepare(task, width, height);
-        return machine.trace(task, *scratch, stop, {}).total_ms;
+        return machine.trace(task, *scratch, stop, {}).sample();
     };
     const auto go_on = [&](float done) {
         progress(done);
@@ -218,16 +218,22 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
         machine.wake(task, *scratch, stop);
         return machine.trace(task, *scratch, stop, {});
     };
-    const FrameTime cpu = time(source(TracerKind::cpu));
-    if (!cpu.complete) return std::nullopt;
-    reply.round.cpu = cpu.sample();
-    reply.cpu_clock = cpu_->clock();
-    if (open().available()) {
+    const auto by_cpu = [&] {
+        const FrameTime cpu = time(source(TracerKind::cpu));
+        reply.round.cpu = cpu.sample();
+        reply.cpu_clock = cpu_->clock();
+        return cpu.complete;
+    };
+    const auto by_gl = [&] {
+        if (!open().available()) return true;
         const FrameTime gl = time(source(TracerKind::gl_fragment));
-        if (!gl.complete) return std::nullopt;
         reply.round.gl = gl.sample();
         reply.gl_clock = gl_->clock();
-    }
+        return gl.complete;
+    };
+    // In one order and the reverse of it by turns, as time_in_turn() does.
+    if (!(gl_begins_ ? by_gl() && by_cpu() : by_cpu() && by_gl())) return std::nullopt;
+    gl_begins_ = !gl_begins_;
     return reply;
 }
 

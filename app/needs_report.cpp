@@ -24,7 +24,7 @@ std::vector<FeatureTime> time_left_out(const Rendering& r, const GlChoices& gl, 
     const auto frame = [&](FeatureSet forced) {
         config.forced = forced;
         tracer->prepare(config, s.width, s.height);
-        return tracer->trace(config, camera, s.width, s.height, context.stop).total_ms;
+        return tracer->trace(config, camera, s.width, s.height, context.stop).sample();
     };
     ProgressLine progress(context);
     (void)frame({});
@@ -37,6 +37,7 @@ std::vector<FeatureTime> time_left_out(const Rendering& r, const GlChoices& gl, 
     report.renderer = tracer->renderer();
     if (tracer->software_gl()) report.renderer += " (software, not a GPU)";
     report.clock = tracer->clock();
+    if (!times.empty()) report.clock += clock_check_text(times.front().clock_discrepancy);
     return times;
 }
 
@@ -131,7 +132,8 @@ Json json_of(const NeedsReport& report) {
         if (row.time)
             json["saved_ms"] = {{"median", row.time->saved.median},     {"low", row.time->saved.low},
                                 {"high", row.time->saved.high},         {"rounds", row.time->saved.samples},
-                                {"frame", row.time->without.median_ms}, {"seen", row.time->seen()}};
+                                {"frame", row.time->without.median_ms}, {"seen", row.time->seen()},
+                                {"clock_discrepancy", row.time->clock_discrepancy}};
         rows.push_back(std::move(json));
     }
     return rows;

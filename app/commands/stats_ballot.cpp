@@ -186,23 +186,18 @@ std::vector<Traversal> counted_traversals(const CommonOptions& common) {
 
 /// Of a scene's traversals, loops and kinds of rays.
 void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOptions& options, const std::string& name,
-              CommandContext& context, std::vector<Row>& rows) {
-    Session session = common.session_for(name);
-    const FlatScene scene = open_scene(common, session);
-    const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
-    check_stop(context);
+              const std::vector<Traversal>& counted, CommandContext& context, std::vector<Row>& rows) {
+    auto [session, scene, tree, camera] = open_walked(common, name, context);
     tracer.upload(scene, tree);
     ProgressLine progress(context);
-    for (const Traversal traversal : counted_traversals(common)) {
+    for (const Traversal traversal : counted) {
         session.trace.traversal = traversal;
         for (const Schedule loop : {Schedule::if_if, Schedule::while_while})
             for (const Pass rays : rays_of(scene, session.trace, options)) {
                 progress.show(0, fmt::format("{}: {}, {}, {} rays", name, info(traversal).name, info(loop).name,
                                              ray_names[std::size_t(rays)]));
                 const BallotTask task{
-                    scene,          tree,           session.trace, pinhole(scene.camera, session.width, session.height),
-                    session.width,  session.height, rays,          loop,
-                    session.threads};
+                    scene, tree, session.trace, camera, session.width, session.height, rays, loop, session.threads};
                 rows.push_back({name, traversal, loop, rays, check_ballots(tracer, task, context.stop)});
                 check_stop(context);
             }
@@ -212,12 +207,12 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
 }  // namespace
 
 int run_ballots(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
-    if (counted_traversals(common).empty())
+    const std::vector<Traversal> counted = counted_traversals(common);
+    if (counted.empty())
         throw InputError(
             fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose stack, "
                         "restart or backtrack under the robust rules",
                         info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
-    const std::vector<Traversal> counted = counted_traversals(common);
     for (const Traversal traversal : wanted_traversals(common, false))
         if (std::ranges::find(counted, traversal) == counted.end())
             context.err << fmt::format("kdscope: note: {} left out: no shader of it counts lanes\n",
@@ -234,7 +229,7 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
     std::vector<Row> rows;
     {
         GlTracer tracer(*gl);
-        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, context, rows);
+        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, counted, context, rows);
     }
     bool exact = true;
     const MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);

@@ -172,6 +172,17 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
         ->group("Divergence");
 }
 
+WalkedScene open_walked(const CommonOptions& common, const std::string& name, CommandContext& context) {
+    WalkedScene opened{.session = common.session_for(name), .scene = {}, .tree = {}, .camera = {}};
+    const Session& s = opened.session;
+    check_frame_memory(s.width, s.height);
+    opened.scene = open_scene(common, opened.session);
+    opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop);
+    check_stop(context);
+    opened.camera = pinhole(opened.scene.camera, s.width, s.height);
+    return opened;
+}
+
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     const std::vector<TileShape> shapes = shapes_of(options);
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
@@ -180,9 +191,7 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
     Json all = Json::array();
     std::vector<std::pair<std::string, std::string>> charts;
     for (const std::string& name : common.scenes) {
-        Session session = common.session_for(name);
-        const FlatScene scene = open_scene(common, session);
-        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+        auto [session, scene, tree, camera] = open_walked(common, name, context);
         if (!json)
             context.out << fmt::format("{}{}: {}; {}x{}\n", name == common.scenes.front() ? "" : "\n", name,
                                        contents_text(scene), session.width, session.height);
@@ -197,7 +206,7 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                     measure_divergence({.scene = scene,
                                         .tree = tree,
                                         .config = session.trace,
-                                        .camera = pinhole(scene.camera, session.width, session.height),
+                                        .camera = camera,
                                         .width = session.width,
                                         .height = session.height,
                                         .rays = rays,

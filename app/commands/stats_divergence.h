@@ -3,6 +3,9 @@
 
 #include "app/command.h"
 #include "app/common_options.h"
+#include "renderer/kdtree/tree.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/scene.h"
 
 namespace kd {
 
@@ -13,6 +16,16 @@ struct DivergenceOptions {
     std::string csv, svg;
     std::string maps;  // folder
 };
+
+/// A scene of a command that walks rays through its tree.
+struct WalkedScene {
+    Session session;
+    FlatScene scene;
+    KdTree tree;
+    PinholeCamera camera;
+};
+/// InputError, Interrupted.
+[[nodiscard]] WalkedScene open_walked(const CommonOptions& common, const std::string& name, CommandContext& context);
 
 void add_divergence_options(CLI::App& app, DivergenceOptions& options);
 

@@ -94,17 +94,13 @@ int run_traversals(const CommonOptions& common, const DivergenceOptions& options
     std::string csv = csv_comments(on.lines()) + csv_head;
     Json all = Json::array();
     for (const std::string& name : common.scenes) {
-        Session session = common.session_for(name);
-        check_frame_memory(session.width, session.height);
-        const FlatScene scene = open_scene(common, session);
-        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
-        check_stop(context);
+        const auto [session, scene, tree, camera] = open_walked(common, name, context);
         for (const Pass rays : rays_of(scene, session.trace, options)) {
             Table table{name, rays,
                         walk_table({.scene = scene,
                                     .tree = tree,
                                     .config = session.trace,
-                                    .camera = pinhole(scene.camera, session.width, session.height),
+                                    .camera = camera,
                                     .width = session.width,
                                     .height = session.height,
                                     .rays = rays,

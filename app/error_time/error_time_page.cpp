@@ -1,6 +1,7 @@
 #include "app/error_time/error_time_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "app/chart_files.h"
@@ -173,8 +174,20 @@ class Page {
                              number_(at + "largest gap on the first machine", worst, "{:.1e}"),
                              worst <= 1e-7 ? ": none changes the image."
                                            : ": a fault, for they may differ by rounding alone.");
+        write_clocks(report, at);
         save_table(fmt::format("p1-{}.csv", scene.name.stem), image_csv(report));
         save_table(fmt::format("p1-{}-slopes.csv", scene.name.stem), slope_csv(report));
+    }
+
+    /// How far two clocks disagree about the same frames, where there are two.
+    void write_clocks(const ImageReport& report, const std::string& at) {
+        double worst = 0;
+        for (const ImageCurve& curve : report.curves)
+            if (std::abs(curve.clock_discrepancy) > std::abs(worst)) worst = curve.clock_discrepancy;
+        if (worst == 0) return;
+        html_ += fmt::format("<p>The GPU times its frames by queries of its own; the steady clock, over the same frames, "
+                             "differs from that by up to {} %.</p>\n",
+                             number_(at + "steady clock, percent", 100 * worst, "{:+.1f}"));
     }
 
     void write_p2(const HitReport& report) {

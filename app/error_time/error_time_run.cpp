@@ -155,9 +155,9 @@ class Run {
         tracer.prepare(config, *side, *side);
         task.methods.push_back({std::string(name_of(kind)), std::string(info(traversal).name), "",
                                 [&tracer, config, side, this](const PinholeCamera& camera, Image<Vec4>& colour) {
-                                    const double ms = tracer.trace(config, camera, *side, *side, stop_).total_ms;
+                                    const FrameTime time = tracer.trace(config, camera, *side, *side, stop_);
                                     colour = tracer.frame(config).colour;
-                                    return ms;
+                                    return time.sample();
                                 }});
     }
 

@@ -142,7 +142,7 @@ std::string clocks(const EngineState& state) {
         DuelState::history, state.duel.cpu_clock.empty() ? "steady clock" : state.duel.cpu_clock);
     if (!state.duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", state.duel.gl_clock);
     if (state.duel.clock_discrepancy != 0)
-        text += fmt::format("\nThe steady clock says {:+.1f} % of that.", 100 * state.duel.clock_discrepancy);
+        text += fmt::format("\nThe steady clock says {:+.1f} %.", 100 * state.duel.clock_discrepancy);
     if (state.gl.software) text += "\nThis GPU is a program: llvmpipe runs the shaders on the CPU.";
     return text;
 }

@@ -29,7 +29,7 @@ std::vector<FeatureTime> time_features(const std::vector<Feature>& features, con
         return Contestant{std::string(name), [&, forced] {
                               if (progress && !progress(float(done++) / float(runs))) throw Stopped{};
                               (void)frame(forced);
-                              return TimeSample{frame(forced)};
+                              return frame(forced);
                           }};
     };
     std::vector<Contestant> contestants{contestant("without", {})};
@@ -45,7 +45,8 @@ std::vector<FeatureTime> time_features(const std::vector<Feature>& features, con
     for (std::size_t i = 0; i < features.size(); ++i) {
         std::vector<double> saved = timed[i + 1].ms();
         for (std::size_t round = 0; round < saved.size(); ++round) saved[round] -= without[round];
-        times.push_back({features[i], timed.front().total(), median_interval(std::move(saved))});
+        times.push_back({features[i], timed.front().total(), median_interval(std::move(saved)),
+                         timed.front().clock_discrepancy()});
     }
     return times;
 }

@@ -15,6 +15,7 @@ struct FeatureTime {
     Feature feature = Feature::reflections;
     TimeSummary without;   // of a frame
     MedianInterval saved;  // ms: time with the feature minus time without, round by round
+    double clock_discrepancy = 0;  // of the frames without, as TimedRounds has it
 
     /// The interval has 95 % and does not hold 0.
     [[nodiscard]] bool seen() const { return saved.sure() && !saved.holds(0); }
@@ -22,8 +23,8 @@ struct FeatureTime {
     [[nodiscard]] double share() const { return without.median_ms > 0 ? saved.median / without.median_ms : 0; }
 };
 
-/// Traces a frame with these features put back and returns its time in ms by the tracer's clock.
-using ForcedFrame = std::function<double(FeatureSet)>;
+/// Traces a frame with these features put back.
+using ForcedFrame = std::function<TimeSample(FeatureSet)>;
 
 /// `rounds` rounds of time_in_turn(); each takes a frame without and one with each feature. Before every frame that counts
 /// the same is traced once: tables, targets and programs that come and go with a feature are no part of its time. `progress` gets

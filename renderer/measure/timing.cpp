@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 
 #include "renderer/geometry/order_statistics.h"
 
@@ -42,6 +43,10 @@ double TimedRounds::clock_discrepancy() const {
 TimingPlan rounds_within(double seconds, int warmup) {
     constexpr double at_once = 1e-9;  // 0 would be no limit
     return {.warmup = warmup, .rounds = 31, .budget_s = std::max(seconds, at_once), .least_rounds = 6};
+}
+
+std::string clock_check_text(double discrepancy) {
+    return discrepancy == 0 ? "" : fmt::format("; the steady clock says {:+.1f} %", 100 * discrepancy);
 }
 
 std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,

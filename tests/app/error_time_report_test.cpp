@@ -30,7 +30,7 @@ ImageMethod cpu_method(const FlatScene& scene, const KdTree& tree, Traversal tra
                 Frame frame(side, side);
                 tracer->trace_frame(config, camera, frame, 0);
                 colour = frame.colour;
-                return 1.0;
+                return TimeSample{1.0};
             }};
 }
 

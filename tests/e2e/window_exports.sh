@@ -36,9 +36,9 @@ sum=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "primary_triangle_t
 [[ $sum == "$(value counters.primary.triangle_tests)" ]] || fail "the table sums to $sum tests"
 export_as JSON kdscope-5.json
 grep -q "\"triangle_tests\": $sum" home/figures/kdscope-5.json || fail "the summary has another sum"
-# The same keys and numbers as the command's, but for times and what the window shows over the image.
+# The same keys and numbers as the command's, but for times, the minute, and how busy the machine was then.
 "$KDSCOPE" render ball:300 --size "${width}x$height" --map nodes --opacity 0.5 -o r.png --json r.json >/dev/null
-lines_of() { KDSCOPE_STATE_FILE=$1 state | grep -v '^ms\.'; }
+lines_of() { KDSCOPE_STATE_FILE=$1 state | grep -vE '^(ms\.|measured_on\.(date|load)=)'; }
 lines_of r.json >command.txt && lines_of home/figures/kdscope-5.json >window.txt
 cmp -s command.txt window.txt || fail "the summaries differ: $(diff command.txt window.txt)"
 # The caption also stands in the file as text, uncompressed.

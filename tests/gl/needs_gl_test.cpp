@@ -200,13 +200,14 @@ TEST(NeedsTimes, AreOfEachFeatureAlone) {
     std::vector<FeatureSet> seen;
     const auto frame = [&](FeatureSet forced) {
         seen.push_back(forced);
-        return forced.has(Feature::textures) ? 12.0 : 10.0;
+        return TimeSample{forced.has(Feature::textures) ? 12.0 : 10.0, 11.0};
     };
     const std::vector<FeatureTime> times = time_features(features, frame, 6);
     ASSERT_EQ(times.size(), 2u);
     EXPECT_EQ(times[0].feature, Feature::textures);
     EXPECT_DOUBLE_EQ(times[0].saved.median, 2);
     EXPECT_DOUBLE_EQ(times[0].share(), 0.2);
+    EXPECT_NEAR(times[0].clock_discrepancy, 0.1, 1e-12) << "of the frames without: 11 over 10";
     EXPECT_TRUE(times[0].seen());
     EXPECT_DOUBLE_EQ(times[1].saved.median, 0);
     EXPECT_FALSE(times[1].seen());

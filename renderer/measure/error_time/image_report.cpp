@@ -69,7 +69,7 @@ class ImageRun {
             contestants.push_back({method.machine, [&, this] {
                                        check_stop();
                                        tell(0.4f, "frames of all methods in turn");
-                                       return TimeSample{method.trace(camera_, colour_)};
+                                       return method.trace(camera_, colour_);
                                    }});
         return time_in_turn(contestants, rounds_within(task_.frame_seconds));
     }
@@ -86,6 +86,7 @@ class ImageRun {
                              .traversal = method.traversal,
                              .clock = method.clock,
                              .frame = frames[m].total(),
+                             .clock_discrepancy = frames[m].clock_discrepancy(),
                              .of_first = ratio_interval(frames[m].ms(), frames.front().ms()),
                              .points = {},
                              .fit = {}};

@@ -22,8 +22,8 @@ namespace kd {
 struct ImageMethod {
     std::string machine, traversal;  // "cpu", "stack"
     std::string clock;
-    /// Traces a frame of the plan's size and returns its time in ms by its own clock.
-    std::function<double(const PinholeCamera&, Image<Vec4>&)> trace;
+    /// Traces a frame of the plan's size.
+    std::function<TimeSample(const PinholeCamera&, Image<Vec4>&)> trace;
 };
 
 struct ImagePlan {
@@ -55,7 +55,8 @@ struct ImageCurve {
     Sampler sampler = Sampler::regular;
     std::string machine, traversal, clock;
     TimeSummary frame;        // ms
-    MedianInterval of_first;  // a frame's time over that of the first method's, round by round
+    double clock_discrepancy = 0;  // of the frames, as TimedRounds has it
+    MedianInterval of_first;       // a frame's time over that of the first method's, round by round
     std::vector<ImagePoint> points;
     PowerFit fit;          // of rmse over samples
     double worst_gap = 0;  // largest difference of own_rmse from the first method's, which must be rounding
