@@ -1,5 +1,18 @@
 // Leaves, and how a walk begins.
 
+/// Counts a visit of the leaf that a descent has ended in. False, with the exit reason told, where the steps were used up, in
+/// the leaf or on the way to it.
+KD_FN bool enter_leaf(int node, IN(KdNode) leaf, INOUT(int) budget)
+{
+    budget -= leaf.flag == KD_LEAF ? 1 + leaf.count : 0;
+    if (KD_RARE(budget <= 0)) {
+        on_exit(KD_EXIT_STEP_CAP);
+        return false;
+    }
+    on_leaf(node);
+    return true;
+}
+
 /// Tests every triangle of a leaf. A hit outside the leaf's cell is kept: the nearest over all leaves wins.
 KD_FN void test_leaf(IN(RaySetup) s, IN(KdNode) leaf, INOUT(Hit) hit)
 {

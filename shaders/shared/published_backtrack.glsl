@@ -16,12 +16,7 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     while (true) {
         KdNode n = descend_as_published(s, inverse, t_begin, t_end, last_leaf, node, budget);
 
-        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
-        if (KD_RARE(budget <= 0)) {
-            on_exit(KD_EXIT_STEP_CAP);
-            return;
-        }
-        on_leaf(node);
+        if (!enter_leaf(node, n, budget)) return;
         if (finish_leaf_as_published(s, n, t_end, hit)) break;
         if (any_hit && hit.triangle >= 0) break;
         if (is_at_most(root_end, t_end)) break;

@@ -127,12 +127,7 @@ KD_FN void traverse_ropes(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
             n = fetch_node(walk.node);
         }
         if (!walk.certain) break;
-        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
-        if (KD_RARE(budget <= 0)) {
-            on_exit(KD_EXIT_STEP_CAP);
-            return;
-        }
-        on_leaf(walk.node);
+        if (!enter_leaf(walk.node, n, budget)) return;
         test_leaf(s, n, hit);
         done = any_hit && hit.triangle >= 0;
         if (!done) {

@@ -41,12 +41,7 @@ KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         }
 
         // Test it.
-        budget -= n.flag == KD_LEAF ? 1 + n.count : 0;
-        if (KD_RARE(budget <= 0)) {
-            on_exit(KD_EXIT_STEP_CAP);
-            return;
-        }
-        on_leaf(node);
+        if (!enter_leaf(node, n, budget)) return;
         test_leaf(s, n, hit);
         if (any_hit && hit.triangle >= 0) break;
 
