@@ -1,6 +1,6 @@
 #include "app/camera_text.h"
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "renderer/geometry/input_error.h"
 
 namespace kd {

@@ -5,9 +5,9 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/cli.h"
-#include "app/interrupt.h"
-#include "app/output_file.h"
+#include "app/cli/cli.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/output_file.h"
 
 int main(int argc, char** argv) {
     kd::Interrupt interrupt;

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/assets.h"
-#include "app/closest_name.h"
-#include "app/counted.h"
+#include "app/cli/closest_name.h"
+#include "app/cli/counted.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/gltf.h"
 #include "renderer/io/printable.h"

@@ -6,13 +6,13 @@
 #include <memory>
 #include <ostream>
 
-#include "app/bench_report.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
-#include "app/idle_options.h"
-#include "app/json_values.h"
-#include "app/machine_info.h"
-#include "app/progress_line.h"
-#include "app/typed_options.h"
+#include "app/report/bench_report.h"
+#include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
 #include "viz/unfinished.h"

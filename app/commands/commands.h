@@ -1,7 +1,7 @@
 // All commands, in the order in which they are listed to people.
 #pragma once
 
-#include "app/command.h"
+#include "app/cli/command.h"
 
 namespace kd {
 

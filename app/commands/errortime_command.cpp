@@ -9,14 +9,14 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/chart_files.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
 #include "app/error_time/error_time_page.h"
 #include "app/error_time/error_time_run.h"
-#include "app/idle_options.h"
-#include "app/output_file.h"
-#include "app/progress_line.h"
-#include "app/typed_options.h"
+#include "app/report/chart_files.h"
 #include "renderer/geometry/input_error.h"
 
 namespace kd {

@@ -9,11 +9,11 @@
 #include <ostream>
 
 #include "app/assets.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/output_file.h"
 #include "app/commands/commands.h"
 #include "app/fonts.h"
-#include "app/idle_options.h"
-#include "app/output_file.h"
-#include "app/rendering.h"
+#include "app/frame/rendering.h"
 #include "renderer/geometry/input_error.h"
 #include "viz/unfinished.h"
 

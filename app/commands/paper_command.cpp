@@ -6,15 +6,15 @@
 #include <memory>
 #include <ostream>
 
-#include "app/chart_files.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
-#include "app/idle_options.h"
-#include "app/output_file.h"
 #include "app/paper/paper_page.h"
 #include "app/paper/paper_run.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
-#include "app/typed_options.h"
+#include "app/report/chart_files.h"
 #include "renderer/geometry/input_error.h"
 
 namespace kd {

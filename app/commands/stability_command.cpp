@@ -6,15 +6,15 @@
 #include <ostream>
 #include <set>
 
+#include "app/cli/counted.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
-#include "app/counted.h"
-#include "app/idle_options.h"
-#include "app/json_values.h"
-#include "app/output_file.h"
-#include "app/progress_line.h"
-#include "app/sweep_text.h"
-#include "app/text_table.h"
-#include "app/typed_options.h"
+#include "app/report/json_values.h"
+#include "app/report/sweep_text.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/measure/stability/stability.h"

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <ostream>
 
+#include "app/cli/counted.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
 #include "app/commands/stats_divergence.h"
-#include "app/counted.h"
 #include "app/fonts.h"
-#include "app/json_values.h"
-#include "app/machine_info.h"
-#include "app/output_file.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
+#include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
@@ -196,8 +196,8 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
             for (const Pass rays : rays_of(scene, session.trace, options)) {
                 progress.show(0, fmt::format("{}: {}, {}, {} rays", name, info(traversal).name, info(loop).name,
                                              ray_names[std::size_t(rays)]));
-                const BallotTask task{
-                    scene, tree, session.trace, camera, session.width, session.height, rays, loop, session.threads};
+                const BallotTask task{scene,          tree, session.trace, camera,         session.width,
+                                      session.height, rays, loop,          session.threads};
                 rows.push_back({name, traversal, loop, rays, check_ballots(tracer, task, context.stop)});
                 check_stop(context);
             }

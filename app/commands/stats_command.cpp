@@ -5,14 +5,14 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/idle_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
 #include "app/commands/commands.h"
 #include "app/commands/stats_divergence.h"
 #include "app/commands/stats_traversals.h"
-#include "app/idle_options.h"
-#include "app/json_values.h"
-#include "app/machine_info.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
+#include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/gl/gl_tracer.h"
 
 namespace kd {

@@ -1,8 +1,8 @@
 // What `stats --divergence` and `stats --ballot` do.
 #pragma once
 
-#include "app/command.h"
-#include "app/common_options.h"
+#include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/scene.h"

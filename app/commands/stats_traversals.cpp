@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <ostream>
 
-#include "app/counted.h"
-#include "app/json_values.h"
-#include "app/machine_info.h"
-#include "app/output_file.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
+#include "app/cli/counted.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"
@@ -80,11 +80,12 @@ std::string csv_of(const Table& table) {
 constexpr const char* csv_head =
     "scene,rays,walk,ray_count,interior_first,interior_again,leaves,triangle_tests,restarts,backtracks,of_stack\n";
 
-constexpr const char* explanation =
-    "\ninterior: visits of interior nodes; again: of nodes that the ray had been at.\n"
-    "ways back: restarts and climbs; of ropes, rays that kd-restart took over. of stack: interior visits over the stack's.\n"
-    "published: Popov et al. 2007, Table 2, down steps of primary rays in four scenes; Horn et al. 2007; the paper, section "
-    "4.3.\n";
+constexpr const char* explanation = "\ninterior: visits of interior nodes; again: of nodes that the ray had been at.\n"
+                                    "ways back: restarts and climbs; of ropes, rays that kd-restart took over. of "
+                                    "stack: interior visits over the stack's.\n"
+                                    "published: Popov et al. 2007, Table 2, down steps of primary rays in four scenes; "
+                                    "Horn et al. 2007; the paper, section "
+                                    "4.3.\n";
 
 }  // namespace
 

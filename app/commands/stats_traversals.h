@@ -1,9 +1,9 @@
 // What `stats --traversals` does.
 #pragma once
 
-#include "app/command.h"
+#include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/commands/stats_divergence.h"
-#include "app/common_options.h"
 
 namespace kd {
 

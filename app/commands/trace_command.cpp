@@ -6,13 +6,13 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/common_options.h"
+#include "app/cli/counted.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/output_file.h"
+#include "app/cli/progress_line.h"
 #include "app/commands/commands.h"
-#include "app/common_options.h"
-#include "app/counted.h"
-#include "app/idle_options.h"
-#include "app/output_file.h"
-#include "app/progress_line.h"
-#include "app/trace_check.h"
+#include "app/report/trace_check.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"

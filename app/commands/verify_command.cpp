@@ -6,14 +6,14 @@
 #include <ostream>
 #include <set>
 
+#include "app/cli/counted.h"
+#include "app/cli/idle_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/verify_needs.h"
-#include "app/counted.h"
-#include "app/idle_options.h"
-#include "app/json_values.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
-#include "app/typed_options.h"
+#include "app/report/json_values.h"
 #include "renderer/measure/verify.h"
 
 namespace kd {
@@ -99,9 +99,8 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
     for (const char* option : {"--rays", "--every-pixel-limit", "--adversarial"})
         refuse_idle(app, {{option, !options.needs, rays}});
     const std::string frames = "single rays are traced; only --needs traces frames with their shading";
-    for (const char* option :
-         {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution", "--force", "--eye-leaf",
-          "--entry-tile"})
+    for (const char* option : {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
+                               "--force", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{option, options.needs, frames}});
     for (const char* option : {"--early-z", "--force"})
         refuse_idle(app,

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <ostream>
 
-#include "app/counted.h"
-#include "app/json_values.h"
-#include "app/machine_info.h"
-#include "app/progress_line.h"
-#include "app/text_table.h"
+#include "app/cli/counted.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/text_table.h"
+#include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/measure/needs_check.h"
 
 namespace kd {

@@ -1,8 +1,8 @@
 // verify --needs: nobody misses what is left out.
 #pragma once
 
-#include "app/command.h"
-#include "app/common_options.h"
+#include "app/cli/command.h"
+#include "app/cli/common_options.h"
 
 namespace kd {
 

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/cli/common_options.h"
+#include "app/cli/environment.h"
+#include "app/cli/idle_options.h"
 #include "app/commands/commands.h"
-#include "app/common_options.h"
-#include "app/environment.h"
-#include "app/idle_options.h"
 
 #ifdef KD_WITH_WINDOW
 #include "app/window/window.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/common_options.h"
-#include "app/sampled_curve_look.h"
+#include "app/cli/common_options.h"
+#include "app/report/sampled_curve_look.h"
 #include "renderer/measure/error_time/ranking.h"
 #include "viz/chart_axis.h"
 

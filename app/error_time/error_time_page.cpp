@@ -4,10 +4,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/chart_files.h"
 #include "app/error_time/error_time_charts.h"
 #include "app/error_time/error_time_tables.h"
-#include "app/html.h"
+#include "app/report/chart_files.h"
+#include "app/report/html.h"
 #include "renderer/io/file.h"
 #include "viz/csv.h"
 
@@ -185,9 +185,10 @@ class Page {
         for (const ImageCurve& curve : report.curves)
             if (std::abs(curve.clock_discrepancy) > std::abs(worst)) worst = curve.clock_discrepancy;
         if (worst == 0) return;
-        html_ += fmt::format("<p>The GPU times its frames by queries of its own; the steady clock, over the same frames, "
-                             "differs from that by up to {} %.</p>\n",
-                             number_(at + "steady clock, percent", 100 * worst, "{:+.1f}"));
+        html_ +=
+            fmt::format("<p>The GPU times its frames by queries of its own; the steady clock, over the same frames, "
+                        "differs from that by up to {} %.</p>\n",
+                        number_(at + "steady clock, percent", 100 * worst, "{:+.1f}"));
     }
 
     void write_p2(const HitReport& report) {

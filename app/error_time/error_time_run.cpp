@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "app/command.h"
-#include "app/common_options.h"
-#include "app/frame_tracer.h"
-#include "app/machine_info.h"
+#include "app/cli/command.h"
+#include "app/cli/common_options.h"
+#include "app/frame/frame_tracer.h"
+#include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/double_path.h"
 #include "renderer/scene/needs.h"

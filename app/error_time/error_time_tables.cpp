@@ -26,12 +26,14 @@ std::string image_csv(const ImageReport& report) {
 }
 
 std::string slope_csv(const ImageReport& report) {
-    std::string text = "sampler,machine,traversal,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,"
-                       "frames,clock_discrepancy,frame_ratio,frame_ratio_low,frame_ratio_high,frame_ratio_confidence,largest_gap\n";
+    std::string text =
+        "sampler,machine,traversal,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,"
+        "frames,clock_discrepancy,frame_ratio,frame_ratio_low,frame_ratio_high,frame_ratio_confidence,largest_gap\n";
     for (const ImageCurve& c : report.curves)
         text += csv_row(name_of(c.sampler), c.machine, c.traversal, c.clock, c.fit.slope, c.fit.interval.low,
                         c.fit.interval.high, c.frame.median_ms, c.frame.p25_ms, c.frame.p75_ms, c.frame.samples,
-                        c.clock_discrepancy, c.of_first.median, c.of_first.low, c.of_first.high, c.of_first.confidence, c.worst_gap);
+                        c.clock_discrepancy, c.of_first.median, c.of_first.low, c.of_first.high, c.of_first.confidence,
+                        c.worst_gap);
     return text;
 }
 

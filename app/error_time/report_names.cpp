@@ -6,7 +6,7 @@
 #include <functional>
 #include <tuple>
 
-#include "app/output_file.h"
+#include "app/cli/output_file.h"
 
 namespace kd {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/engine_state.h"
+#include "app/engine/state.h"
 #include "app/window/widgets.h"
 
 namespace kd {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/divergence_chart.h"
 #include "app/panels/applies.h"
 #include "app/panels/panel.h"
+#include "app/report/divergence_chart.h"
 #include "app/window/chart.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/engine.h"
+#include "app/engine/engine.h"
 #include "app/window/camera_moves.h"
 #include "app/window/home_path.h"
 #include "renderer/measure/stability/stress_scene.h"

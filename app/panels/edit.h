@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/engine_state.h"
+#include "app/engine/state.h"
 #include "app/window/exporter.h"
 
 namespace kd {
 
-class Engine;  // app/engine.h
+class Engine;  // app/engine/engine.h
 
 /// Where the legend lies over the picture.
 enum class Corner { top_left, top_right, bottom_left, bottom_right };

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/convergence_charts.h"
 #include "app/panels/panel.h"
+#include "app/report/convergence_charts.h"
 #include "app/window/chart.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/needs_report.h"
 #include "app/panels/panel.h"
+#include "app/report/needs_report.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"

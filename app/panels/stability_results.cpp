@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/sweep_chart.h"
+#include "app/report/sweep_chart.h"
 #include "app/window/chart.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"

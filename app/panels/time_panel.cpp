@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/engine_levels.h"
+#include "app/engine/levels.h"
 #include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/window/places.h"

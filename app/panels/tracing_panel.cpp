@@ -28,18 +28,20 @@ void draw_walk_choices(const EngineState& state, TraceConfig& trace) {
             "On: each rope leads to the smallest cell that its whole face borders on. Off: to the sibling across "
             "the plane, with all the way down from there. Option --plain-ropes.");
         const bool outside = state.world && leaf_at(state.world->tree, state.camera.eye) < 0;
-        widgets::toggle("from the eye's leaf", trace.eye_leaf,
-                        widgets::tip_of("Primary rays begin in the leaf that the camera is in and spare the way down to "
-                                        "it. Option --eye-leaf.",
-                                        outside ? "the camera is outside of the tree" : ""));
+        widgets::toggle(
+            "from the eye's leaf", trace.eye_leaf,
+            widgets::tip_of("Primary rays begin in the leaf that the camera is in and spare the way down to "
+                            "it. Option --eye-leaf.",
+                            outside ? "the camera is outside of the tree" : ""));
         return;
     }
     const std::string idle = why_idle(WalkChoice::entry_tile, trace);
     ImGui::BeginDisabled(!idle.empty());
-    widgets::slider("entry tiles", trace.entry_tile, 0, 64, trace.entry_tile == 0 ? "off" : "%d px",
-                    widgets::tip_of("Primary rays begin at the deepest node outside of which their tile of pixels meets "
-                                    "nothing (Reshetov et al. 2005, MLRTA), not at the root. Option --entry-tile.",
-                                    idle));
+    widgets::slider(
+        "entry tiles", trace.entry_tile, 0, 64, trace.entry_tile == 0 ? "off" : "%d px",
+        widgets::tip_of("Primary rays begin at the deepest node outside of which their tile of pixels meets "
+                        "nothing (Reshetov et al. 2005, MLRTA), not at the root. Option --entry-tile.",
+                        idle));
     ImGui::EndDisabled();
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "viz/divergence.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/chart_files.h"
-#include "app/command.h"
-#include "app/html.h"
+#include "app/cli/command.h"
+#include "app/report/chart_files.h"
+#include "app/report/html.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 

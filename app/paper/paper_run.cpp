@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <map>
 
-#include "app/command.h"
-#include "app/frame_tracer.h"
-#include "app/machine_info.h"
+#include "app/cli/command.h"
+#include "app/frame/frame_tracer.h"
 #include "app/paper/paper_counts.h"
+#include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/paper/node_sizes.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "renderer/measure/paper/paper_claims.h"
 #include "renderer/measure/paper/paper_results.h"
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/assets.h"
-#include "app/machine_info.h"
 #include "app/panels/panel.h"
+#include "app/report/machine_info.h"
 #include "app/window/places.h"
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
@@ -98,7 +98,8 @@ void draw_badge(const EngineState& state, Edit& edit) {
     const TraceConfig& trace = state.session.trace;
     const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
     std::string what = fmt::format("{} · {}", machine, info(trace.traversal).name);
-    if (const Rules rules = rules_in_force(trace); rules != Rules::robust) what += fmt::format(" · {}", info(rules).name);
+    if (const Rules rules = rules_in_force(trace); rules != Rules::robust)
+        what += fmt::format(" · {}", info(rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float width = ImGui::CalcTextSize(what.c_str()).x + theme::px(24);
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width - help - theme::px(24)));

@@ -1,7 +1,7 @@
 // Moving the camera by hand: pure functions from a camera to the next.
 #pragma once
 
-#include "app/engine_pixel.h"
+#include "app/engine/pixel.h"
 #include "renderer/scene/camera.h"
 
 namespace kd {

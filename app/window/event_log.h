@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/engine_state.h"
+#include "app/engine/state.h"
 
 namespace kd {
 

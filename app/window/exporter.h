@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/engine_worker.h"
+#include "app/engine/worker.h"
 
 namespace kd {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "app/figure_text.h"
-#include "app/frame_summary.h"
-#include "app/machine_info.h"
+#include "app/report/figure_text.h"
+#include "app/report/frame_summary.h"
+#include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/json_values.h"
 #include "app/panels/edit.h"
+#include "app/report/json_values.h"
 #include "viz/text.h"
 
 namespace kd {
@@ -14,7 +14,7 @@ namespace kd {
 /// `folder`/kdscope-N`extension` with the least N for which no kdscope-N file of any kind is there.
 [[nodiscard]] std::filesystem::path next_file(const std::filesystem::path& folder, const std::string& extension);
 
-/// Of the picture shown, as the function of this name in app/frame_summary.h.
+/// Of the picture shown, as the function of this name in app/report/frame_summary.h.
 [[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays,
                                 const std::optional<MeasuredOn>& on = {});
 

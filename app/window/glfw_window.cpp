@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "app/command.h"
-#include "app/environment.h"
+#include "app/cli/command.h"
+#include "app/cli/environment.h"
 
 namespace kd {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "renderer/io/file.h"
 
 namespace kd {

@@ -1,7 +1,7 @@
 #include "app/window/state_file.h"
 
-#include "app/json_values.h"
-#include "app/sweep_chart.h"
+#include "app/report/json_values.h"
+#include "app/report/sweep_chart.h"
 #include "app/window/exporting.h"
 #include "renderer/io/file.h"
 #include "renderer/scene/units.h"

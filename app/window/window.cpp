@@ -1,6 +1,6 @@
 #include "app/window/window.h"
 
-#include "app/command.h"
+#include "app/cli/command.h"
 #include "app/window/window_loop.h"
 
 namespace kd {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/engine.h"
+#include "app/engine/engine.h"
 #include "app/panels/panel.h"
 #include "app/window/button_queue.h"
 #include "app/window/event_log.h"

@@ -45,8 +45,8 @@ std::vector<FeatureTime> time_features(const std::vector<Feature>& features, con
     for (std::size_t i = 0; i < features.size(); ++i) {
         std::vector<double> saved = timed[i + 1].ms();
         for (std::size_t round = 0; round < saved.size(); ++round) saved[round] -= without[round];
-        times.push_back({features[i], timed.front().total(), median_interval(std::move(saved)),
-                         timed.front().clock_discrepancy()});
+        times.push_back(
+            {features[i], timed.front().total(), median_interval(std::move(saved)), timed.front().clock_discrepancy()});
     }
     return times;
 }

@@ -13,8 +13,8 @@ namespace kd {
 /// Frames with one feature put back against frames without any.
 struct FeatureTime {
     Feature feature = Feature::reflections;
-    TimeSummary without;   // of a frame
-    MedianInterval saved;  // ms: time with the feature minus time without, round by round
+    TimeSummary without;           // of a frame
+    MedianInterval saved;          // ms: time with the feature minus time without, round by round
     double clock_discrepancy = 0;  // of the frames without, as TimedRounds has it
 
     /// The interval has 95 % and does not hold 0.

@@ -1,5 +1,5 @@
 // Charts written as SVG and CSV by gnuplot, where there is one.
-#include "app/chart_files.h"
+#include "app/report/chart_files.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "app/closest_name.h"
+#include "app/cli/closest_name.h"
 #include "app/commands/commands.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
-#include "app/convergence_charts.h"
 #include "app/error_time/error_time_charts.h"
+#include "app/report/convergence_charts.h"
 
 namespace kd {
 namespace {

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include "app/chart_files.h"
-#include "app/divergence_chart.h"
-#include "app/json_values.h"
+#include "app/report/chart_files.h"
+#include "app/report/divergence_chart.h"
+#include "app/report/json_values.h"
 #include "renderer/io/png.h"
 #include "renderer/measure/frame_walks.h"
 #include "tests/app/cli_run.h"

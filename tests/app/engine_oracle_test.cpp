@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-#include "app/engine_judging.h"
+#include "app/engine/judging.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "tests/app/engine_run.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "app/engine.h"
+#include "app/engine/engine.h"
 #include "tests/support/patience.h"
 
 namespace kd {

@@ -1,4 +1,4 @@
-#include "app/figure_text.h"
+#include "app/report/figure_text.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // Frames by OpenGL that are timed: a GPU that has idled is woken first.
-#include "app/gl_frame.h"
+#include "app/frame/gl_frame.h"
 
 #include <gtest/gtest.h>
 #include <thread>

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "app/chart_files.h"
 #include "app/paper/paper_page.h"
+#include "app/report/chart_files.h"
 #include "renderer/io/file.h"
 #include "tests/app/cli_run.h"
 #include "tests/app/report_page.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/text_table.h"
+#include "app/cli/text_table.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/traversal.h"

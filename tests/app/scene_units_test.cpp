@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/engine.h"
+#include "app/engine/engine.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 #include "tests/app/cli_run.h"

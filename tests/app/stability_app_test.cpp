@@ -1,6 +1,6 @@
 // The sweeps of the stability suite on the command line, and its scenes by name.
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "app/session.h"
 #include "renderer/io/file.h"
 #include "tests/app/cli_run.h"

@@ -1,7 +1,7 @@
 // stats --traversals: a row for every walk, and the options that only some walks read.
 #include <gtest/gtest.h>
 
-#include "app/json_values.h"
+#include "app/report/json_values.h"
 #include "renderer/io/file.h"
 #include "renderer/measure/walk_table.h"
 #include "tests/app/cli_run.h"

@@ -1,10 +1,10 @@
 // The charts of a sweep as data.
-#include "app/sweep_chart.h"
+#include "app/report/sweep_chart.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "app/sweep_text.h"
+#include "app/report/sweep_text.h"
 
 namespace kd {
 namespace {

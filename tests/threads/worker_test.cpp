@@ -1,13 +1,13 @@
 // The engine's queue of one, its way back, and its frames: from many threads at once.
-#include "app/engine_worker.h"
+#include "app/engine/worker.h"
 
 #include <atomic>
 #include <gtest/gtest.h>
 #include <random>
 #include <vector>
 
-#include "app/engine_frame_pool.h"
-#include "app/engine_mailbox.h"
+#include "app/engine/frame_pool.h"
+#include "app/engine/mailbox.h"
 
 namespace kd {
 namespace {

@@ -54,7 +54,7 @@ struct ImagePoint {
 struct ImageCurve {
     Sampler sampler = Sampler::regular;
     std::string machine, traversal, clock;
-    TimeSummary frame;        // ms
+    TimeSummary frame;             // ms
     double clock_discrepancy = 0;  // of the frames, as TimedRounds has it
     MedianInterval of_first;       // a frame's time over that of the first method's, round by round
     std::vector<ImagePoint> points;

@@ -165,13 +165,14 @@ StabilityCase case_T08() {
 }
 
 StabilityCase case_T29() {
-    return {"T29",
-            "Almost flat",
-            "A terrain of 320,000 triangles (1,002,528 in a long run) of height 1e-7 over the unit square; rays straight "
-            "at it, and 1000 slanting and grazing ones (10,000 in a long run)",
-            "exact to the height for the straight ones; brute force for the others",
-            "every straight ray hits, t within 4e-7; 0 mismatches",
-            run_terrain};
+    return {
+        "T29",
+        "Almost flat",
+        "A terrain of 320,000 triangles (1,002,528 in a long run) of height 1e-7 over the unit square; rays straight "
+        "at it, and 1000 slanting and grazing ones (10,000 in a long run)",
+        "exact to the height for the straight ones; brute force for the others",
+        "every straight ray hits, t within 4e-7; 0 mismatches",
+        run_terrain};
 }
 
 Sweep sweep_T29() {

@@ -1,0 +1,266 @@
+#include "app/cli/common_options.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/cli/typed_options.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/scene/needs.h"
+#include "renderer/scene/units.h"
+
+namespace kd {
+
+namespace {
+
+constexpr int largest_side = 16384;
+
+std::vector<NamedValue<Traversal>> traversal_names() {
+    std::vector<NamedValue<Traversal>> names;
+    for (const TraversalInfo& traversal : traversals()) names.push_back({std::string(traversal.name), traversal.id});
+    return names;
+}
+
+/// "textures,normals": names of features, separated by commas.
+FeatureSet parse_features(const std::string& text) {
+    std::vector<NamedValue<Feature>> known;
+    std::vector<std::string> names;
+    for (const FeatureInfo& feature : features()) {
+        known.push_back({std::string(feature.name), feature.id});
+        names.emplace_back(feature.name);
+    }
+    FeatureSet chosen;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string name = text.substr(begin, end - begin);
+        const auto found = std::ranges::find(known, name, &NamedValue<Feature>::name);
+        if (found == known.end())
+            refuse(
+                fmt::format("unknown feature '{}'{}; known: {}", name, did_you_mean(name, names), list_names(known)));
+        chosen.set(found->value, true);
+        begin = end + 1;
+    }
+    return chosen;
+}
+
+std::vector<NamedValue<std::string>> builder_names() {
+    std::vector<NamedValue<std::string>> names;
+    for (const Builder& builder : builders()) names.push_back({std::string(builder.name), std::string(builder.name)});
+    return names;
+}
+
+}  // namespace
+
+std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ? "cpu" : "gl-fragment"; }
+
+std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "working" : "as-published"; }
+
+std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
+
+Session CommonOptions::session_for(const std::string& scene) const {
+    Session chosen = session;
+    chosen.scene = scene;
+    if (traversal) chosen.trace.traversal = *traversal;
+    if (tracer) chosen.tracer = *tracer;
+    if (builder) chosen.build.builder = *builder;
+    chosen.trace.shadows = !no_shadows;
+    return chosen;
+}
+
+void add_one_scene(CLI::App& app, CommonOptions& options, bool required) {
+    options.scenes = {options.session.scene};
+    CLI::Option* scene = app.add_option("SCENE", options.scenes.front(), "A scene by name, or a .gltf or .glb file");
+    scene->type_name("");
+    if (required)
+        scene->required();
+    else
+        scene->description(fmt::format("A scene by name, or a .gltf or .glb file [{}]", options.session.scene));
+}
+
+void add_scenes(CLI::App& app, CommonOptions& options) {
+    app.add_option("SCENE", options.scenes, "Scenes by name, or .gltf or .glb files")->required()->type_name("");
+}
+
+void add_shading_options(CLI::App& app, CommonOptions& o) {
+    TraceConfig& trace = o.session.trace;
+    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
+                                                   {"duplicated", LeafLists::duplicated}};
+    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
+    std::vector<CLI::Option*> all{
+        add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
+                   "Leaves hold triangle numbers or vertex copies [references]"),
+        add_choice(app, "--early-z", o.session.early_z, culling,
+                   "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
+        add_number<int>(app, "--short-stack", trace.short_stack, 1, max_short_stack,
+                        fmt::format("Entries that traversal short-stack keeps [{}]", trace.short_stack)),
+        app.add_flag_callback(
+            "--plain-ropes", [&trace] { trace.optimised_ropes = false; },
+            "Ropes lead to the sibling across the plane, not to the smallest cell behind the face"),
+        app.add_flag("--eye-leaf", trace.eye_leaf,
+                     "With ropes, primary rays begin in the leaf that the camera is in, not at the root"),
+        add_number<int>(
+            app, "--entry-tile", trace.entry_tile, 0, 1024,
+            "Primary rays begin at the entry point of their tile of so many pixels each way; 0 is the root"),
+        app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
+        add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
+                        fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
+        add_number<float>(
+            app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
+            fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
+        add_text_option(app, "--force", "NAMES",
+                        "Keeps features that the scene does not need; render --needs lists them",
+                        [&trace](const std::string& text) { trace.forced = parse_features(text); }),
+    };
+    for (CLI::Option* option : all) option->group("Tracing");
+}
+
+void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
+    BuildConfig& build = o.session.build;
+    const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
+    std::vector<CLI::Option*> all{
+        add_choice<std::string>(app, "--builder", o.builder, builder_names(),
+                                text("How the tree is built", defaults.builder)),
+        add_number<float>(app, "--traversal-cost", build.traversal_cost, 0.0f, 1e6f,
+                          text("Cost t_t of visiting an interior node", build.traversal_cost)),
+        add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
+                          text("Cost t_i of one triangle test", build.intersection_cost)),
+        add_number<float>(
+            app, "--empty-bonus", build.empty_bonus, 0.0f, 1.0f,
+            text("b_e: fraction of the intersection cost forgiven where a child is empty", build.empty_bonus)),
+        add_number<float>(app, "--empty-bonus-gate", build.empty_bonus_gate, 0.0f, 1.0f,
+                          text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
+                               build.empty_bonus_gate)),
+        add_number<float>(
+            app, "--empty-cut", build.empty_cut, 0.0f, 1.0f,
+            text("Empty parts of a cell from this fraction on are cut off first; 0 is never", build.empty_cut)),
+        add_number<int>(app, "--leaf-size", build.leaf_size, 1, 1 << 20,
+                        text("Nodes of at most N triangles become leaves", build.leaf_size)),
+        add_number<int>(app, "--max-depth", build.max_depth, 0, max_tree_depth,
+                        text("Depth limit; 0 is 8 + 1.6 log2(triangles)", build.max_depth)),
+        add_number<int>(app, "--bad-refines", build.bad_refines, 0, max_tree_depth,
+                        text("Splits on one path that may cost more than they save", build.bad_refines)),
+        add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
+                          text("Most leaf references per triangle", build.reference_cap)),
+        add_number<int>(app, "--bins", build.bins, fewest_bins, most_bins,
+                        text("Bins on each axis of builder binned", build.bins)),
+        app.add_flag_callback(
+            "--box-leaves", [&build] { build.trim_leaves = false; },
+            "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
+    };
+    for (CLI::Option* option : all) option->group("Tree");
+}
+
+void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
+    const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu},
+                                                      {"gl-fragment", TracerKind::gl_fragment}};
+    std::vector<NamedValue<ContextKind>> contexts;
+    for (const ContextKind kind : {ContextKind::automatic, ContextKind::osmesa, ContextKind::egl})
+        contexts.push_back({std::string(name_of(kind)), kind});
+    std::vector<NamedValue<Rules>> rules;
+    for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
+    const auto text = [](const char* what, std::string_view value) { return fmt::format("{} [{}]", what, value); };
+    std::vector<CLI::Option*> all{
+        add_choice(app, "--traversal", o.traversal, traversal_names(),
+                   text("How rays walk the tree", defaults.traversal)),
+        add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]"),
+        add_choice(app, "--tracer", o.tracer, tracers,
+                   text("What traces: the CPU, or GLSL fragment passes", defaults.tracer)),
+        add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),
+    };
+    for (CLI::Option* option : all) option->group("Tracing");
+}
+
+void add_camera_options(CLI::App& app, CommonOptions& o) {
+    CameraOptions& camera = o.camera;
+    const auto add = [&](const char* flag, const char* type, const char* text, auto take) {
+        add_text_option(app, flag, type, text, take)->group("Camera (the scene's own unless given)");
+    };
+    const auto angle = [](float degrees) {
+        if (!(degrees > 0.0f && degrees <= 179.9f)) refuse(fmt::format("{} is not an angle in (0, 179.9]", degrees));
+        return degrees;
+    };
+    const auto direction = [](Vec3 up) {
+        if (up == Vec3(0)) refuse("up is 0,0,0, which is no direction");
+        return up;
+    };
+    add("--camera", "TEXT", "All at once: \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"",
+        [&camera, angle, direction](const std::string& text) {
+            const std::vector<float> v = parse_floats(text);
+            if (v.size() != 10) refuse(fmt::format("'{}' is not \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"", text));
+            (void)direction(Vec3(v[6], v[7], v[8]));
+            camera = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8]), angle(v[9])};
+        });
+    add("--eye", "X,Y,Z", "Where the camera is", [&camera](const std::string& t) { camera.eye = parse_vec3(t); });
+    add("--target", "X,Y,Z", "What it looks at", [&camera](const std::string& t) { camera.target = parse_vec3(t); });
+    add("--up", "X,Y,Z", "Which way is up",
+        [&camera, direction](const std::string& t) { camera.up = direction(parse_vec3(t)); });
+    add("--fov", "DEGREES", "Full vertical angle of view", [&camera, angle](const std::string& text) {
+        const std::vector<float> v = parse_floats(text);
+        if (v.size() != 1) refuse(fmt::format("'{}' is not a number of degrees", text));
+        camera.fov_y_degrees = angle(v[0]);
+    });
+}
+
+void add_size_option(CLI::App& app, CommonOptions& o) {
+    add_pair(app, "--size", o.session.width, o.session.height, 1, largest_side,
+             fmt::format("Picture size in pixels [{}x{}]", o.session.width, o.session.height));
+}
+
+void add_machine_options(CLI::App& app, CommonOptions& o) {
+    add_number<int>(app, "--threads", o.session.threads, 0, 4096, "CPU threads; 0 is all [0]");
+    add_number<unsigned>(app, "--seed", o.session.seed, 0u, 4294967295u,
+                         fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
+}
+
+void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults) {
+    add_size_option(app, options);
+    add_machine_options(app, options);
+    add_tracing_options(app, options, defaults);
+    add_shading_options(app, options);
+    add_tree_options(app, options, defaults);
+}
+
+void hide_options(CLI::App& app, const std::vector<std::string>& names) {
+    for (const std::string& name : names) app.get_option(name)->group("");
+}
+
+WantedMachines wanted_machines(const CommonOptions& options) {
+    WantedMachines machines{!options.tracer || *options.tracer == TracerKind::cpu, {}};
+    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
+        machines.contexts = {ContextKind::osmesa, ContextKind::egl};
+        if (options.context) machines.contexts = {*options.context};
+    }
+    return machines;
+}
+
+void require_context(const CommonOptions& options, bool uses_all) {
+    const bool by_tracer = options.tracer == TracerKind::gl_fragment;
+    const bool by_context = uses_all && !options.tracer && options.context;
+    if (by_tracer || by_context) (void)Context::create(options.context.value_or(ContextKind::automatic));
+}
+
+std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive) {
+    if (options.traversal) return {*options.traversal};
+    std::vector<Traversal> wanted;
+    for (const TraversalInfo& traversal : traversals())
+        if (naive || traversal.id != Traversal::naive) wanted.push_back(traversal.id);
+    return wanted;
+}
+
+FlatScene open_scene(const CommonOptions& options, Session& session) {
+    FlatScene scene = load_scene(session.scene, session.seed);
+    Camera camera = to_scene_units(scene, scene.camera);
+    camera.eye = options.camera.eye.value_or(camera.eye);
+    camera.target = options.camera.target.value_or(camera.target);
+    camera.up = options.camera.up.value_or(camera.up);
+    camera.fov_y_degrees = options.camera.fov_y_degrees.value_or(camera.fov_y_degrees);
+    if (!is_valid(camera))
+        throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
+    const CameraOptions& given = options.camera;
+    if (given.eye || given.target || given.up || given.fov_y_degrees) {
+        scene.camera = to_internal(scene, camera);
+        session.camera = scene.camera;
+    }
+    return scene;
+}
+
+}  // namespace kd

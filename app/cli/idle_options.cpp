@@ -1,0 +1,83 @@
+#include "app/cli/idle_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <ostream>
+
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/printable.h"
+#include "renderer/kdtree/ropes.h"
+#include "renderer/scene/procedural.h"
+#include "renderer/trace/walk_choices.h"
+
+namespace kd {
+
+namespace {
+
+std::vector<const OptionUse*> idle(const CLI::App& app, const std::vector<OptionUse>& uses) {
+    std::vector<const OptionUse*> found;
+    for (const OptionUse& use : uses) {
+        const CLI::Option* option = app.get_option_no_throw(use.option);
+        if (option && option->count() > 0 && !use.acts) found.push_back(&use);
+    }
+    return found;
+}
+
+bool is_seeded(const std::string& scene) {
+    const ProceduralScene* procedural = find_procedural(scene);
+    return procedural && procedural->seeded;
+}
+
+}  // namespace
+
+void refuse_idle(const CLI::App& app, const std::vector<OptionUse>& uses) {
+    for (const OptionUse* use : idle(app, uses)) throw InputError(fmt::format("{}: {}", use->option, use->otherwise));
+}
+
+void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const CommandContext& context) {
+    for (const OptionUse* use : idle(app, uses))
+        context.err << fmt::format("kdscope: note: {} has no effect: {}\n", use->option, printable(use->otherwise));
+}
+
+void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const CommandContext& context) {
+    if (session.trace.eye_leaf && leaf_at(tree, eye) < 0)
+        context.err << "kdscope: note: --eye-leaf has no effect: the camera is outside of the tree\n";
+}
+
+OptionUse bins_use(const Session& session, bool all_builders) {
+    const Builder* builder = find_builder(session.build.builder);
+    return {"--bins", all_builders || (builder && builder->has_bins),
+            fmt::format("builder {} has none; --builder binned would use them", session.build.builder)};
+}
+
+std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
+                                   bool random_rays, bool all_builders) {
+    const bool named = options.tracer.has_value() || !all_tracers;
+    const bool gl = !named || session.tracer == TracerKind::gl_fragment;
+    const bool cpu = !named || session.tracer == TracerKind::cpu;
+    // Where every traversal is run, some have a use for each choice.
+    const bool every_walk = all_tracers && !options.traversal;
+    const auto walk_use = [&](const char* option, WalkChoice choice) {
+        const std::string why = every_walk ? "" : why_idle(choice, session.trace);
+        return OptionUse{option, why.empty(), why};
+    };
+    const bool walks = every_walk || session.trace.traversal != Traversal::naive;
+    const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
+    return {
+        {"--context", gl, no_gl},
+        {"--early-z", gl, no_gl},
+        {"--count-shaded", gl, no_gl},
+        {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
+        {"--leaf-lists", walks, "the loop over all triangles (naive) walks no tree"},
+        walk_use("--short-stack", WalkChoice::short_stack),
+        walk_use("--plain-ropes", WalkChoice::plain_ropes),
+        walk_use("--entry-tile", WalkChoice::entry_tile),
+        walk_use("--eye-leaf", WalkChoice::eye_leaf),
+        walk_use("--rules", WalkChoice::rules),
+        {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
+        bins_use(session, all_builders && !options.builder),
+        {"--seed", random_rays || is_seeded(session.scene), fmt::format("nothing in {} is random", session.scene)},
+    };
+}
+
+}  // namespace kd

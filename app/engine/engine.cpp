@@ -1,0 +1,189 @@
+#include "app/engine/engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "renderer/io/printable.h"
+
+namespace kd {
+
+namespace {
+
+constexpr std::size_t most_messages = 20;
+constexpr int largest_side = 16384;  // of a picture: the smallest texture limit of machines met
+
+bool has_pixels(const Session& session) {
+    return session.width > 0 && session.height > 0 && session.width <= largest_side && session.height <= largest_side;
+}
+
+/// Whether two sessions that agree in scene and tree need different frames.
+bool same_frame(const Session& a, const Session& b) {
+    return a.trace == b.trace && a.tracer == b.tracer && a.early_z == b.early_z && a.camera == b.camera &&
+           a.width == b.width && a.height == b.height && a.threads == b.threads;
+}
+
+}  // namespace
+
+Engine::Engine(const Session& start, EngineOptions options)
+    : options_(std::move(options)), mailbox_(options_.wake),
+      tracing_(std::make_unique<Tracing>(options_.open_gl,
+                                         [this](int programs) {
+                                             mailbox_.post([this, programs] {
+                                                 state_.compiled += programs > 0 ? 1 : 0;
+                                                 state_.compiling = programs;
+                                             });
+                                         })),
+      loader_(Worker::Priority::low), builder_(Worker::Priority::low), painter_(Worker::Priority::low),
+      tracer_(Worker::Priority::low, [this] { tracing_.reset(); }), judger_(Worker::Priority::low) {
+    state_.session = start;
+    if (start.camera && !is_valid(*start.camera)) {
+        state_.session.camera.reset();
+        say(true, "camera: its values cannot be used; the scene's own is shown");
+    }
+    state_.session.trace.counters = true;  // maps and read-outs live on them
+    state_.generation = trace_generation_ = 1;
+    start_load();
+}
+
+Engine::~Engine() = default;
+
+double Engine::now() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+
+void Engine::say(bool error, std::string text) {
+    text = printable(text, 4000);
+    state_.messages.push_back({error, std::move(text), now()});
+    if (state_.messages.size() > most_messages) state_.messages.erase(state_.messages.begin());
+}
+
+void Engine::set_session(const Session& wanted) {
+    const Session before = state_.session;
+    Session next = wanted;
+    next.trace.counters = true;
+    if (next.camera && !is_valid(*next.camera)) next.camera = before.camera;
+    if (!has_pixels(next)) {
+        next.width = before.width;
+        next.height = before.height;
+    }
+    if (next == before) return;
+    state_.session = next;
+    ++state_.generation;
+    const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
+    if (scene_changed && !state_.loading.active) camera_before_load_ = before.camera;
+    if (scene_changed)
+        start_load();
+    else if (next.build != before.build)
+        start_build();
+    if (scene_changed || next.build != before.build || !same_frame(next, before)) trace_generation_ = state_.generation;
+    if (!same_frame(next, before))
+        start_trace();
+    else if (!scene_changed && next.build == before.build)
+        start_paint();
+}
+
+void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned) {
+    if (hovered == hovered_ && pinned == pinned_) return;
+    hovered_ = hovered;
+    pinned_ = pinned;
+    read_probes();
+}
+
+void Engine::run_case(const std::string& id, bool all_traversals) {
+    StabilityConfig config;
+    config.cases = {id};
+    const Session& s = state_.session;
+    config.rules = s.trace.rules;
+    // By name, because a suite that was asked for none leaves some to the CPU.
+    const bool all = all_traversals || s.trace.traversal == Traversal::naive;
+    for (const TraversalInfo& traversal : traversals())
+        if (traversal.id != Traversal::naive && (all || traversal.id == s.trace.traversal))
+            config.traversals.emplace_back(traversal.name);
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_case(config);
+}
+
+void Engine::run_sweep(const std::string& id) {
+    const Session& s = state_.session;
+    SweepConfig config;
+    config.id = id;
+    if (s.trace.traversal != Traversal::naive) config.traversals = {std::string(info(s.trace.traversal).name)};
+    if (options_.open_gl) config.contexts = {ContextKind::automatic};
+    config.threads = s.threads;
+    config.seed = s.seed;
+    stability_.run_sweep(config);
+}
+
+void Engine::run_paper(bool quick) {
+    stop_duel();
+    cancel_needs();
+    widths_.cancel();
+    PaperConfig config = paper_config(quick);
+    config.base.seed = state_.session.seed;
+    config.gpu = bool(options_.open_gl);
+    paper_.start(config);
+}
+
+void Engine::note_input() {
+    last_input_ = now();
+    stop_duel();
+}
+
+void Engine::allow_duel(bool allowed, int scale) {
+    if (allowed && scale != duel_scale_) {
+        duel_scale_ = scale;
+        duel_of_ = 0;  // what was measured is of frames of another size
+        stop_duel();
+    }
+    options_.duel = allowed;
+    if (!allowed) stop_duel();
+}
+
+void Engine::keep_widths(bool wanted) {
+    options_.widths = wanted;
+    if (!wanted) widths_.cancel();
+}
+
+bool Engine::poll() {
+    const bool news = mailbox_.deliver();
+    if (state_.building.active) state_.building.fraction = build_fraction_;
+    if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
+    if (state_.judging.active) state_.judging.fraction = judge_fraction_;
+    if (state_.needs.active) state_.needs.fraction = needs_fraction_;
+    state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
+    start_widths();
+    if (state_.world) convergence_.follow(configuration_shown());
+    if (!duelling_) start_sample();
+    if (!duelling_ && !convergence_.wants_sample()) start_duel();
+    return news;
+}
+
+void Engine::wait_for_picture(double seconds) {
+    const double end = now() + seconds;
+    const auto answered = [this] { return state_.picture && state_.picture->generation == state_.generation; };
+    while (!answered() && now() < end) {
+        if (mailbox_.wait(end - now())) poll();
+    }
+}
+
+Camera Engine::camera_in_use() const { return state_.session.camera.value_or(state_.world->scene().camera); }
+
+void Engine::read_probes() {
+    state_.hovered.reset();
+    state_.pinned.reset();
+    state_.ray_cells.clear();
+    if (!state_.picture) return;
+    const TracedFrame& shown = state_.picture->traced;
+    if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
+    if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
+    for (auto* reading : {&state_.hovered, &state_.pinned})
+        if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
+    const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
+    if (!probe || !state_.session.view.overlay.show) return;
+    const int width = state_.session.width;
+    const int height = state_.session.height;
+    state_.ray_cells = ray_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe->pixel.x,
+                                 probe->pixel.y, probe->primary().hit);
+}
+
+}  // namespace kd

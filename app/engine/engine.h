@@ -1,0 +1,144 @@
+// The work behind the window: loads, builds, traces and paints in the background, one way, newest wishes first.
+//
+//   set_session() -> what changed -> scene -> tree -> frame -> picture
+//
+// Maps that compare with the oracle, or look at walks in groups, have a stage more, between frame and picture.
+//
+// Each arrow is a background thread; a change redoes the work from where it enters, and until its result is there the
+// previous one stays. All member functions are called on one thread, the owner's.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/engine/judging.h"
+#include "app/engine/mailbox.h"
+#include "app/engine/paint.h"
+#include "app/engine/state.h"
+#include "app/engine/tracing.h"
+#include "app/engine/worker.h"
+
+namespace kd {
+
+struct EngineOptions {
+    OpenGl open_gl;              // called on the tracing thread; empty: no GPU
+    std::function<void()> wake;  // called on any thread when poll() has something to fetch
+    bool duel = true;            // time CPU and GPU while idle
+    bool widths = false;         // measure efficiency against width while idle
+};
+
+class Engine {
+  public:
+    Engine(const Session& start, EngineOptions options);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as
+    /// it was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
+    void set_session(const Session& next);
+    /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`.
+    void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
+    /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
+    void cancel_build();
+    /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
+    /// rules; what ran before is dropped.
+    void run_case(const std::string& id, bool all_traversals);
+    /// The same with its sweep, by the session's traversal.
+    void run_sweep(const std::string& id);
+    /// Times what is left out, each feature alone; any change of the picture ends it.
+    void measure_needs();
+    void cancel_needs();
+    void cancel_stability() { stability_.cancel(); }
+    /// Makes the paper's experiments in the background; while they run nothing else is timed.
+    void run_paper(bool quick);
+    void cancel_paper() { paper_.cancel(); }
+    /// Samples the resting picture on and on, in place of timing it, until stopped or ConvergenceState::most_samples.
+    void sample_picture(Sampler sampler);
+    void stop_sampling() { convergence_.stop(); }
+    /// A person did something: no duel for a while.
+    void note_input();
+    /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
+    /// choice.
+    void allow_duel(bool allowed, int scale = 0);
+    /// Measures efficiency against width of the rays shown, whenever the picture stays.
+    void keep_widths(bool wanted);
+    void dismiss_messages() { state_.messages.clear(); }
+    void say(bool error, std::string text);
+
+    /// Fetches results and starts what follows from them. Call it often; true where the state changed.
+    bool poll();
+    /// Polls until the picture answers the session, at least as a preview, or `seconds` have passed.
+    void wait_for_picture(double seconds);
+    [[nodiscard]] const EngineState& state() const { return state_; }
+
+    /// Seconds since the engine was made.
+    [[nodiscard]] double now() const;
+
+  private:
+    void start_load();
+    void finish_load(std::shared_ptr<const LoadedScene> loaded);
+    void fail_load(const std::string& why);
+    void start_build();
+    void finish_build(std::shared_ptr<const World> world);
+    void start_trace();
+    void note_gl(const GlStatus& gl);
+    void receive(TracedFrame traced);
+    void start_judging();
+    void receive_judged(const TracedFrame& judged);
+    void start_paint();
+    void paint_now(const TracedFrame& traced);
+    void paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work);
+    void show(std::shared_ptr<const Picture> picture, std::uint64_t ticket);
+    void fail_paint(const std::string& why, const ViewConfig& view);
+    void start_duel();
+    void receive(const DuelReply& reply);
+    void stop_duel();
+    void start_widths();
+    void start_sample();
+    void receive(const SampleReply& reply);
+    void note_frame(const TracedFrame& traced);
+    void note_rounds();
+    [[nodiscard]] Session configuration_shown() const;
+    void read_probes();
+    [[nodiscard]] TraceRequest trace_request() const;
+    [[nodiscard]] Camera camera_in_use() const;
+
+    EngineOptions options_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    EngineState state_;
+    std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
+    std::optional<Camera> camera_before_load_;  // of the scene that a refused one gives way to
+    TracedFrame traced_;                        // newest frame
+    std::optional<PixelPosition> hovered_, pinned_;
+    std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
+    std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
+    std::uint64_t paint_ticket_ = 0;      // of the painting asked for last
+    std::uint64_t shown_ticket_ = 0;      // of the picture shown
+    std::uint64_t trace_ticket_ = 0;      // of the trace started last
+    std::uint64_t judge_ticket_ = 0;      // of the comparison started last
+    std::shared_ptr<const Frame> judging_frame_;
+    MapConfig judging_map_;  // that needs something beside it
+    std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0,
+                       needs_fraction_ = 0;  // written by the threads at work
+    TraceRequest duel_failed_;               // its world and configuration cannot be timed
+    std::uint64_t duel_of_ = 0;              // trace_generation_ that the rounds belong to
+    double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
+    int duel_scale_ = 0;  // see allow_duel()
+    bool duelling_ = false;
+    bool duel_warm_ = false;  // the next round is the first that counts
+
+    Mailbox mailbox_;
+    StabilityBench stability_{mailbox_, state_.stability};
+    WidthBench widths_{mailbox_, state_.widths};
+    PaperBench paper_{mailbox_, state_.paper};
+    Convergence convergence_{state_.convergence};
+    std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
+    Judging judging_;                                                 // judger_'s alone
+    Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes
+};
+
+}  // namespace kd

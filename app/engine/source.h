@@ -1,0 +1,49 @@
+// The machines that trace frames for the engine. One thread uses a source from its first call to its end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "app/engine/world.h"
+#include "app/frame/frame_time.h"
+#include "renderer/gl/context.h"
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/trace/frame.h"
+#include "renderer/trace/trace_config.h"
+
+namespace kd {
+
+/// What is traced, on how many threads (0 = all; for the CPU alone), and how pixels are culled (for the GPU alone).
+struct FrameTask {
+    std::shared_ptr<const World> world;
+    TraceConfig config;
+    PinholeCamera camera;
+    int threads = 0;
+    EarlyZ early_z = EarlyZ::working;
+};
+
+class FrameSource {
+  public:
+    virtual ~FrameSource() = default;
+
+    /// Makes tables, programs and targets, outside of any timing. InputError where the source has to refuse.
+    virtual void prepare(const FrameTask& task, int width, int height) = 0;
+    /// Before a frame that is timed: see GlFrameDrawer::wake().
+    virtual void wake(const FrameTask&, const Frame&, const std::stop_token&) {}
+    /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.
+    virtual FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
+                            const std::function<void(float)>& progress) = 0;
+    /// Brings what trace() made into `frame`.
+    virtual void read(const FrameTask& task, Frame& frame) = 0;
+    [[nodiscard]] virtual std::string clock() const = 0;
+};
+
+[[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source();
+/// `context` is current and outlives the source; `compiling` as in GlTracer::tell_compiling().
+[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context, std::function<void(int)> compiling);
+
+}  // namespace kd

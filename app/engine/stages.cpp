@@ -1,0 +1,385 @@
+// The stages of the engine: what each background thread does, and what its result sets off.
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/cli/error_text.h"
+#include "app/engine/engine.h"
+#include "renderer/kdtree/stats.h"
+#include "renderer/measure/timing.h"
+
+namespace kd {
+
+namespace {
+
+constexpr double quiet_before_duel_s = 0.6;
+constexpr double longest_duel_pause_s = 2;
+constexpr double longest_paint_ms = 40;  // above it a sketch comes first
+
+bool asks_for(const Session& session, const LoadedScene& scene) {
+    return session.scene == scene.name && session.seed == scene.seed;
+}
+
+/// Whether what the map needs beside the frame exists at all.
+bool can_be_made(const MapConfig& map) {
+    if (needs_walks(map)) return has_valid_tile(map);
+    return has_nearest_hits(map.rays);
+}
+
+}  // namespace
+
+void Engine::start_load() {
+    const std::string name = state_.session.scene;
+    const unsigned seed = state_.session.seed;
+    builder_.cancel();
+    state_.building = {};
+    state_.refused.reset();
+    if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
+        loader_.cancel();
+        state_.loading = {};
+        scene_ = state_.world->loaded;
+        start_build();
+        return;
+    }
+    state_.loading = {true, 0};
+    state_.loading_name = name;
+    loader_.submit([this, name, seed](const std::stop_token&) {
+        std::shared_ptr<const LoadedScene> loaded;
+        std::string error;
+        try {
+            loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
+        } catch (const std::exception& e) {
+            error = error_text(e, name);
+        }
+        mailbox_.post([this, name, seed, loaded, error] {
+            if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
+            if (loaded)
+                finish_load(loaded);
+            else
+                fail_load(error);
+        });
+    });
+}
+
+void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
+    state_.loading = {};
+    scene_ = std::move(loaded);
+    for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
+    start_build();
+}
+
+void Engine::fail_load(const std::string& why) {
+    const RefusedScene refused{state_.session.scene, why};
+    state_.loading = {};
+    say(true, why);
+    if (state_.world) {  // the scene before it is still there
+        Session back = state_.session;
+        back.scene = state_.world->loaded->name;
+        back.seed = state_.world->loaded->seed;
+        back.camera = camera_before_load_;
+        set_session(back);
+    }
+    state_.refused = refused;
+}
+
+void Engine::start_build() {
+    if (!scene_ || state_.loading.active) return;  // finish_load() comes here again
+    const BuildConfig config = state_.session.build;
+    if (state_.world && state_.world->loaded == scene_ && state_.world->built_with == config) {
+        builder_.cancel();
+        state_.building = {};
+        start_trace();
+        return;
+    }
+    state_.building = {true, 0};
+    build_fraction_ = 0;
+    builder_.submit([this, config, loaded = scene_](const std::stop_token& stop) {
+        auto world = std::make_shared<World>();
+        world->loaded = loaded;
+        world->built_with = config;
+        std::string error;
+        const auto progress = [this](float fraction) { build_fraction_ = fraction; };
+        try {
+            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
+            world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
+            world->facts = scene_facts(loaded->flat, world->tree);
+        } catch (const std::exception& e) {
+            error = error_text(e, "the tree");
+        }
+        const bool stopped = stop.stop_requested();
+        mailbox_.post([this, world, error, stopped] {
+            // A stopped build counts only where a person stopped it and there is no tree to go back to.
+            const bool wanted = world->loaded == scene_ && world->built_with == state_.session.build;
+            if (!wanted || !state_.building.active || (stopped && state_.world && state_.world->loaded == scene_))
+                return;
+            state_.building = {};
+            if (error.empty()) return finish_build(world);
+            say(true, error);
+            Session back = state_.session;
+            back.build = state_.world ? state_.world->built_with : BuildConfig{};
+            set_session(back);
+        });
+    });
+}
+
+void Engine::finish_build(std::shared_ptr<const World> world) {
+    state_.world = std::move(world);
+    state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    if (state_.world->report.reference_cap_hit)
+        say(false, "tree: the limit of references per triangle was reached; some splits were not made");
+    trace_generation_ = ++state_.generation;
+    start_trace();
+}
+
+void Engine::cancel_build() {
+    if (!state_.building.active) return;
+    builder_.cancel();
+    if (!state_.world || state_.world->loaded != scene_) return;  // the unfinished tree will do
+    state_.building = {};
+    Session back = state_.session;
+    back.build = state_.world->built_with;
+    set_session(back);
+}
+
+TraceRequest Engine::trace_request() const {
+    const Session& s = state_.session;
+    // A frame of a tree that is about to be replaced is shown, but answers nothing.
+    const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
+    return {state_.world,    s.trace,   s.tracer,
+            camera_in_use(), s.width,   s.height,
+            s.threads,       s.early_z, current ? state_.generation : 0};
+}
+
+void Engine::start_trace() {
+    // While another scene is on its way, the camera is meant for that one.
+    if (!state_.world || state_.loading.active || state_.world->loaded != scene_) return;
+    state_.camera = camera_in_use();
+    state_.tracing = {true, 0};
+    trace_fraction_ = 0;
+    judger_.cancel();
+    state_.judging = {};
+    duelling_ = state_.duel.running = state_.needs.active = false;
+    tracer_.submit([this, request = trace_request(), ticket = ++trace_ticket_](const std::stop_token& stop) {
+        std::string error;
+        try {
+            tracing_->trace(
+                request, stop, [this](TracedFrame f) { mailbox_.post([this, f = std::move(f)] { receive(f); }); },
+                [this](float fraction) { trace_fraction_ = fraction; });
+        } catch (const std::exception& e) {
+            error = error_text(e, "the picture");
+        }
+        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
+        mailbox_.post([this, gl, error, ticket, tracer = request.tracer] {
+            note_gl(gl);
+            if (ticket == trace_ticket_) state_.tracing = {};
+            if (error.empty()) return;
+            if (error != gl.unavailable || !gl.fails) say(true, error);
+            if (tracer == TracerKind::cpu || state_.session.tracer != tracer) return;
+            Session back = state_.session;
+            back.tracer = TracerKind::cpu;
+            set_session(back);
+        });
+    });
+}
+
+/// Tells what happened to the GPU since.
+void Engine::note_gl(const GlStatus& gl) {
+    if (!gl.known) return;
+    const GlStatus before = std::exchange(state_.gl, gl);
+    if (gl.losses > before.losses && gl.available()) say(true, "the GPU was reset; its context was made anew");
+    if (!gl.fails || before.fails) return;
+    say(true, gl.unavailable + " (the CPU traces now)");
+    state_.messages.back().stays = true;
+}
+
+void Engine::receive(TracedFrame traced) {
+    traced_ = std::move(traced);
+    note_frame(traced_);
+    start_paint();
+}
+
+void Engine::start_judging() {
+    const MapConfig& map = state_.session.view.map;
+    const bool same =
+        judging_map_ == map || (needs_oracle(map) && needs_oracle(judging_map_) && judging_map_.rays == map.rays);
+    if (state_.judging.active && judging_frame_ == traced_.frame && same) return;
+    judging_frame_ = traced_.frame;
+    judging_map_ = map;
+    state_.judging = {true, 0};
+    judge_fraction_ = 0;
+    judger_.submit([this, traced = traced_, view = state_.session.view, threads = state_.session.threads,
+                    ticket = ++judge_ticket_](const std::stop_token& stop) {
+        std::string error;
+        const auto publish = [&](const auto& add) {
+            TracedFrame done = traced;
+            add(done);
+            mailbox_.post([this, done = std::move(done)] { receive_judged(done); });
+        };
+        const auto progress = [this](float fraction) { judge_fraction_ = fraction; };
+        try {
+            if (needs_walks(view)) {
+                if (auto walks = Judging::walk(traced, view.map, threads, stop, progress))
+                    publish([&](TracedFrame& done) { done.walks = std::move(walks); });
+            } else {
+                judging_.judge(
+                    traced, view.map.rays, threads, stop,
+                    [&](auto judged) { publish([&](TracedFrame& done) { done.judged = std::move(judged); }); },
+                    progress);
+            }
+        } catch (const std::exception& e) {
+            error = error_text(e, "the picture");
+        }
+        mailbox_.post([this, error, ticket, view] {
+            if (ticket == judge_ticket_) state_.judging = {};
+            if (!error.empty()) fail_paint(error, view);
+        });
+    });
+}
+
+void Engine::receive_judged(const TracedFrame& judged) {
+    if (traced_.frame == judged.frame) traced_ = judged;
+    const ViewConfig& view = state_.session.view;
+    if ((needs_oracle(view) || needs_walks(view)) && is_complete_for(judged, view, false)) paint_now(judged);
+}
+
+void Engine::start_paint() {
+    if (!traced_.frame) return;
+    const ViewConfig& view = state_.session.view;
+    // Painting refuses, and says why, what cannot be judged or walked.
+    if (can_be_made(view.map) && !is_complete_for(traced_, view, true)) {
+        start_judging();
+        if (!is_complete_for(traced_, view, false)) return;
+    } else {
+        judger_.cancel();
+        state_.judging = {};
+    }
+    paint_now(traced_);
+}
+
+void Engine::paint_now(const TracedFrame& traced) {
+    PaintRequest request{traced, state_.session.view, 0};
+    const bool answers = traced.generation >= trace_generation_ && traced.generation > 0;
+    request.generation = answers ? state_.generation : traced.generation;
+    const std::uint64_t ticket = ++paint_ticket_;
+    const bool preview = traced.scale > 1;
+    const bool all_judged = is_complete_for(traced, request.view, true);
+    // Groups of pixels cannot be thinned out.
+    const bool sketchable = !needs_walks(request.view);
+    if (preview || !all_judged || (sketchable && paint_ms_ > longest_paint_ms)) {
+        sketcher_.submit([this, request, preview, ticket](const std::stop_token&) {
+            paint_and_show(ticket, request.view, [&] { return preview ? paint(request) : paint_sketch(request); });
+        });
+    }
+    // The whole of what was there before is wanted no more.
+    if (preview || !all_judged) return painter_.cancel();
+    painter_.submit([this, request, ticket](const std::stop_token&) {
+        paint_ms_ = wall_ms([&] { paint_and_show(ticket, request.view, [&] { return paint(request); }); });
+    });
+}
+
+/// On a painting thread.
+void Engine::paint_and_show(std::uint64_t ticket, const ViewConfig& view, const std::function<Picture()>& work) {
+    try {
+        mailbox_.post([this, ticket, shown = std::make_shared<const Picture>(work())] { show(shown, ticket); });
+    } catch (const std::exception& e) {
+        mailbox_.post([this, error = error_text(e, "the picture"), view] { fail_paint(error, view); });
+    }
+}
+
+void Engine::show(std::shared_ptr<const Picture> picture, std::uint64_t ticket) {
+    // The two painting threads may finish in any order.
+    if (ticket < shown_ticket_ || (ticket == shown_ticket_ && picture->sketch)) return;
+    shown_ticket_ = ticket;
+    state_.picture = std::move(picture);
+    read_probes();
+}
+
+void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
+    if (state_.session.view != view) return;  // taken back already
+    say(true, why);
+    if (!state_.picture) return;
+    Session back = state_.session;
+    back.view = state_.picture->view;
+    set_session(back);
+}
+
+void Engine::start_duel() {
+    if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (state_.paper.active) return;                              // its times are not to be disturbed
+    if (state_.stability.active || state_.widths.active) return;  // they take all processors
+    if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
+    if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
+    const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
+    if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
+    duelling_ = true;
+    state_.duel.running = true;
+    TraceRequest timed = trace_request();
+    timed.duel_scale = duel_scale_;
+    tracer_.submit([this, request = timed, generation = trace_generation_](const std::stop_token& stop) {
+        std::optional<DuelReply> reply;
+        std::string error;
+        double took = 0;
+        try {
+            took = 1e-3 * wall_ms([&] { reply = tracing_->duel(request, stop); });
+        } catch (const std::exception& e) {
+            error = error_text(e, "the frame");
+        }
+        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
+        mailbox_.post([this, reply, error, took, request, generation, gl] {
+            note_gl(gl);
+            duelling_ = state_.duel.running = false;
+            duel_ended_ = now();
+            duel_took_ = took;
+            if (!error.empty()) {
+                if (!gl.fails) say(true, "timing: " + error);
+                duel_failed_ = request;
+            }
+            if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
+        });
+    });
+}
+
+void Engine::receive(const DuelReply& reply) {
+    DuelState& duel = state_.duel;
+    // Rounds of another size are no rounds of this frame.
+    if (!duel.rounds.empty() && !duel_warm_ && duel.scale != reply.scale) duel_of_ = 0;
+    if (duel_of_ != trace_generation_) {  // the first round of a frame warms up and is not counted
+        duel_of_ = trace_generation_;
+        duel_warm_ = true;
+        return;
+    }
+    if (duel_warm_) {
+        duel = DuelState{};
+        duel_warm_ = false;
+    }
+    duel.width = reply.width;
+    duel.height = reply.height;
+    duel.scale = reply.scale;
+    duel.chosen = duel_scale_ > 0;
+    duel.rays = reply.rays;
+    duel.cpu_clock = reply.cpu_clock;
+    duel.gl_clock = reply.gl_clock;
+    duel.traversal = state_.session.trace.traversal;
+    duel.add(reply.round);
+    note_rounds();
+}
+
+/// Of the frame and the rays that the picture shows. A picture that changes is left alone.
+void Engine::start_widths() {
+    if (!options_.widths || !traced_.frame || state_.paper.active) return;
+    const Pass rays = state_.session.view.map.rays;
+    if (widths_.is_of(traced_, rays)) return;
+    widths_.cancel();
+    if (state_.stale() || state_.working() || traced_.scale != 1 || now() - last_input_ < quiet_before_duel_s) return;
+    stop_duel();
+    widths_.measure(traced_, rays, state_.session.threads);
+}
+
+void Engine::stop_duel() {
+    if (!duelling_) return;
+    duelling_ = state_.duel.running = false;
+    tracer_.cancel();
+}
+
+}  // namespace kd

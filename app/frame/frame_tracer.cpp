@@ -1,0 +1,118 @@
+#include "app/frame/frame_tracer.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "app/frame/gl_frame.h"
+#include "app/report/machine_info.h"
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/gl_tracer.h"
+#include "renderer/measure/timing.h"
+
+namespace kd {
+
+namespace {
+
+class CpuFrameTracer final : public FrameTracer {
+  public:
+    CpuFrameTracer(const FlatScene& scene, const KdTree& tree, int threads) : tracer_(scene, tree), threads_(threads) {}
+
+    void prepare(const TraceConfig& config, int width, int height) override {
+        tracer_.prepare(config);
+        if (frame_.width != width || frame_.height != height) frame_ = Frame(width, height);
+    }
+
+    FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
+                    const std::function<void(float)>& progress) override {
+        prepare(config, width, height);
+        FrameTime time;
+        time.total_ms =
+            wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
+        return time;
+    }
+
+    [[nodiscard]] Frame frame(const TraceConfig&) override { return frame_; }
+    [[nodiscard]] std::string renderer() const override { return cpu_renderer(threads_); }
+    [[nodiscard]] std::string clock() const override { return "steady clock"; }
+
+  private:
+    CpuTracer tracer_;
+    Frame frame_;
+    int threads_;
+};
+
+class GlFrameTracer final : public FrameTracer {
+  public:
+    GlFrameTracer(const FlatScene& scene, const KdTree& tree, const GlChoices& choices)
+        : choices_(choices), context_(Context::create(choices.context)),
+          tracer_(std::make_unique<GlTracer>(*context_)) {
+        setup_.upload_ms = wall_ms([&] {
+            tracer_->upload(scene, tree);
+            context_->gl().Finish();
+        });
+    }
+    ~GlFrameTracer() override { context_->make_current(); }
+    GlFrameTracer(const GlFrameTracer&) = delete;
+    GlFrameTracer& operator=(const GlFrameTracer&) = delete;
+
+    void prepare(const TraceConfig& config, int width, int height) override {
+        context_->make_current();
+        const double ms = wall_ms([&] { tracer_->prepare(complete(config), width, height); });
+        if (prepared_ == config) return;
+        prepared_ = config;
+        setup_.compile_ms = ms;
+    }
+
+    FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
+                    const std::function<void(float)>& progress) override {
+        context_->make_current();
+        warm_up(config, camera, width, height);
+        if (!context_->is_software()) drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
+        return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
+    }
+
+    [[nodiscard]] Frame frame(const TraceConfig& config) override {
+        context_->make_current();
+        return tracer_->read_frame(config);
+    }
+    [[nodiscard]] std::string renderer() const override { return context_->renderer(); }
+    [[nodiscard]] std::string clock() const override { return drawer_.clock(); }
+    [[nodiscard]] std::string driver() const override { return context_->version(); }
+    [[nodiscard]] SetupTimes setup() const override { return setup_; }
+    [[nodiscard]] bool software_gl() const override { return context_->is_software(); }
+
+  private:
+    static constexpr double tile_ms = 100;  // drivers give up on draws that take seconds
+
+    [[nodiscard]] GlTraceConfig complete(const TraceConfig& config) const {
+        return {.trace = config, .early_z = choices_.early_z, .count_shaded = choices_.count_shaded};
+    }
+
+    /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
+    void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
+        if (std::ranges::find(warm_, config) != warm_.end()) return;
+        const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
+        const double ms = wall_ms([&] { tracer_->draw(complete(config), camera, width, height, middle); });
+        if (prepared_ == config) setup_.compile_ms += ms;
+        warm_.push_back(config);
+    }
+
+    GlChoices choices_;
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<GlTracer> tracer_;
+    GlFrameDrawer drawer_{tile_ms};
+    std::optional<TraceConfig> prepared_;
+    std::vector<TraceConfig> warm_;
+    SetupTimes setup_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree, int threads,
+                                               const GlChoices& gl) {
+    if (kind == TracerKind::cpu) return std::make_unique<CpuFrameTracer>(scene, tree, threads);
+    return std::make_unique<GlFrameTracer>(scene, tree, gl);
+}
+
+}  // namespace kd

@@ -1,0 +1,65 @@
+#include "app/frame/gl_frame.h"
+
+#include <algorithm>
+
+namespace kd {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds idle_after{5}, awake_after{500};
+
+void add(const GlFrameReport& report, FrameTime& time) {
+    time.total_ms += report.total_ms;
+    time.wall_ms += report.wall_ms;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
+        std::int64_t& shaded = time.shaded_pixels[pass];
+        if (report.shaded_pixels[pass] >= 0) shaded = std::max(shaded, std::int64_t(0)) + report.shaded_pixels[pass];
+    }
+}
+
+}  // namespace
+
+DispatchPlan& GlFrameDrawer::plan_for(const GlTraceConfig& config) {
+    const auto known = std::ranges::find(plans_, config, &Planned::config);
+    if (known != plans_.end()) return known->plan;
+    if (plans_.size() == most_plans) plans_.erase(plans_.begin());
+    plans_.push_back({config, DispatchPlan(tile_ms_)});
+    return plans_.back().plan;
+}
+
+FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
+                              int height, const std::stop_token& stop, const std::function<void(float)>& progress) {
+    DispatchPlan& plan = plan_for(config);
+    FrameTime time;
+    const std::int64_t pixels = std::int64_t(width) * height;
+    for (std::int64_t done = 0; done < pixels;) {
+        if (stop.stop_requested()) {
+            time.complete = false;
+            break;
+        }
+        const Tile tile = plan.next(done, width, height);
+        const GlFrameReport report = tracer.draw(config, camera, width, height, tile);
+        plan.learn(report.total_ms, tile);
+        clock_ = report.clock;
+        add(report, time);
+        done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
+        if (progress) progress(float(double(done) / double(pixels)));
+    }
+    drawn_ = Clock::now();
+    return time;
+}
+
+int GlFrameDrawer::wake(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
+                        int height, const std::stop_token& stop) {
+    const Clock::time_point begun = Clock::now();
+    if (begun - drawn_ < idle_after) return 0;
+    int frames = 0;
+    for (; !stop.stop_requested() && (frames == 0 || Clock::now() - begun < awake_after); ++frames)
+        (void)draw(tracer, config, camera, width, height, stop, {});
+    return frames;
+}
+
+}  // namespace kd

@@ -1,0 +1,51 @@
+// What the program knows, as JSON: the same words in every command's output.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/cli/common_options.h"
+#include "app/frame/frame_tracer.h"
+#include "renderer/kdtree/stats.h"
+#include "renderer/measure/measured_on.h"
+#include "renderer/measure/ray_count.h"
+#include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
+#include "renderer/trace/counters.h"
+
+namespace kd {
+
+using Json = nlohmann::ordered_json;
+
+/// The shortest decimal that gives `value` back, as a JSON number; null where it is not finite.
+[[nodiscard]] Json json_number(float value);
+
+/// Everything in the session but the view.
+[[nodiscard]] Json json_of(const Session& session);
+[[nodiscard]] Json json_of(const Camera& camera);
+[[nodiscard]] Json json_of(const BuildConfig& build);
+[[nodiscard]] Json json_of(const ViewConfig& view);
+[[nodiscard]] Json json_of(const FlatScene& scene);
+[[nodiscard]] Json json_of(const TreeStats& stats);
+/// Rays and every counter of the table.
+[[nodiscard]] Json json_of(const CounterTotals& totals);
+/// null where nothing was measured.
+[[nodiscard]] Json json_of(const TimeSummary& time);
+/// median, low, high, confidence, samples; null without samples.
+[[nodiscard]] Json json_of(const MedianInterval& value);
+[[nodiscard]] Json json_of(const MeasuredOn& on);
+
+/// Sums over the pixels of each pass, with the number of rays traced.
+[[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);
+/// Sums over all passes; the deepest stack is their maximum.
+[[nodiscard]] CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes);
+
+/// Indented text with a line end; text that is not UTF-8 is replaced, never thrown at.
+[[nodiscard]] std::string json_text(const Json& value);
+
+/// A name with spaces as a key: "reflection shadow" becomes "reflection_shadow".
+[[nodiscard]] std::string json_key(std::string_view name);
+
+}  // namespace kd
