@@ -8,8 +8,8 @@
 
 namespace kd {
 
-/// Folders where assets may lie, best first: $KDSCOPE_ASSETS, beside the program, where it was installed, and the source
-/// tree that it was built from.
+/// Folders where assets may lie, best first: $KDSCOPE_ASSETS, beside the program, where it was installed, and the
+/// source tree that it was built from.
 [[nodiscard]] std::vector<std::filesystem::path> asset_folders();
 
 /// The file assets/`relative`, such as "scenes/lantern.gltf", where it exists.

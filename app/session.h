@@ -37,9 +37,8 @@ struct Session {
 /// The session with its camera in scene units, as people and files have it; here it is in the scene's internal ones.
 [[nodiscard]] Session in_scene_units(Session session, const FlatScene& scene);
 
-/// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a scene
-/// that comes with the program.
-/// InputError naming the known scenes.
+/// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a
+/// scene that comes with the program. InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
 
 /// Every scene that there is by name, to find the one meant by a mistyped `name`: "ball:900" for "baal:900".

@@ -1,4 +1,5 @@
-// A chart as data: what is drawn, and what is read out at each point. The window draws it, files hold it as SVG and CSV.
+// A chart as data: what is drawn, and what is read out at each point. The window draws it, files hold it as SVG and
+// CSV.
 #pragma once
 
 #include <optional>
@@ -13,9 +14,9 @@ enum class Ink { cpu, gpu, reference, green, red, purple, blue, grey };
 enum class Stroke { solid, dashed, dotted };
 /// `by_ink`: circles for the CPU, squares for the GPU, diamonds for the reference, triangles for the rest.
 enum class Marker { by_ink, circle, square, diamond, triangle, none };
-/// What becomes of a curve's points: joined in their order, left apart, or side by side with those of other curves at the same
-/// x: as the ends of bars that stand on the axis, or, where that is logarithmic, so that no bar's length means anything, as
-/// marks (drawn_as_bars()).
+/// What becomes of a curve's points: joined in their order, left apart, or side by side with those of other curves at
+/// the same x: as the ends of bars that stand on the axis, or, where that is logarithmic, so that no bar's length means
+/// anything, as marks (drawn_as_bars()).
 enum class Form { line, points, bars };
 
 /// low <= high.
@@ -90,8 +91,8 @@ ChartCurve& curve_named(Chart& chart, ChartCurve fresh);
 /// Whether the curve is drawn as bars: it is of Form::bars, and the y axis begins at a zero.
 [[nodiscard]] bool drawn_as_bars(const Chart& chart, const ChartCurve& curve);
 
-/// From where to where on the x axis the bar of curve `curve` at `x` goes: bars at a tick share four fifths of the distance
-/// to the next tick.
+/// From where to where on the x axis the bar of curve `curve` at `x` goes: bars at a tick share four fifths of the
+/// distance to the next tick.
 [[nodiscard]] ChartInterval bar_extent(const Chart& chart, std::size_t curve, double x);
 
 /// Where on the x axis a point of curve `curve` stands: in the middle of its place where curves stand side by side.

@@ -21,8 +21,8 @@ struct PlacedLabel {
     double dx, dy;
 };
 
-/// Beside each point that has a label, on the first side that is free, from above on the right on; labels that have no free side
-/// are left out.
+/// Beside each point that has a label, on the first side that is free, from above on the right on; labels that have no
+/// free side are left out.
 [[nodiscard]] std::vector<PlacedLabel> place_labels(const Chart& chart, const LabelSizes& sizes);
 
 }  // namespace kd

@@ -9,8 +9,8 @@ namespace kd {
 /// What a chart is drawn on.
 enum class Ground { white, dark };
 
-/// Okabe and Ito's colours and a grey, which people with any colour vision tell apart. `reference` is the ink of texts, so it
-/// depends on the ground.
+/// Okabe and Ito's colours and a grey, which people with any colour vision tell apart. `reference` is the ink of texts,
+/// so it depends on the ground.
 [[nodiscard]] constexpr Rgba8 colour_of(Ink ink, Ground ground) {
     switch (ink) {
         case Ink::cpu: return {86, 180, 233};

@@ -30,8 +30,8 @@ std::string ScriptLegend::script(int top, int height) const {
             text +=
                 fmt::format("set object rectangle {} fillcolor rgb '{}' fillstyle solid noborder\n", ends, e.colour);
         else if (e.dash)
-            // gnuplot draws lines of one colour and width as one, all in the first one's dashes: none has its neighbour's
-            // width.
+            // gnuplot draws lines of one colour and width as one, all in the first one's dashes: none has its
+            // neighbour's width.
             text += fmt::format("set arrow {} nohead lw {} dt {} lc rgb '{}'\n", ends, i % 2 == 0 ? "2" : "2.01",
                                 e.dash, e.colour);
         if (!e.bar && e.symbol > 0)

@@ -24,8 +24,8 @@ class ScriptLegend {
     /// Pixels that it takes.
     [[nodiscard]] int height() const { return row * rows_; }
 
-    /// Commands that draw it. `top`: pixels from the figure's lower edge to the middle of the first row; `height` of the
-    /// figure.
+    /// Commands that draw it. `top`: pixels from the figure's lower edge to the middle of the first row; `height` of
+    /// the figure.
     [[nodiscard]] std::string script(int top, int height) const;
 
   private:

@@ -59,8 +59,9 @@ constexpr auto blue_grey_orange =
 
 constexpr Rgba8 colour(std::uint32_t rgb) { return colours({rgb})[0]; }
 
-// Beyond the ends it goes on where it can: darker than the darkest, lighter than the lightest. Maps that begin with black
-// have a dark green for less than that, and those that end light have what they lack, a light green or blue, for more.
+// Beyond the ends it goes on where it can: darker than the darkest, lighter than the lightest. Maps that begin with
+// black have a dark green for less than that, and those that end light have what they lack, a light green or blue, for
+// more.
 constexpr Rgba8 black = colour(0x000000), white = colour(0xffffff), dark_green = colour(0x0a5f50),
                 pale_blue = colour(0x8fe3ff), blue = colour(0x0072b2), orange = colour(0xe69f00),
                 yellow = colour(0xffe14d);

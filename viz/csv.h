@@ -20,8 +20,8 @@ namespace kd {
 /// The fields of one line with its end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
 
-/// A value as a field reads it: the shortest decimals that give a number back, 1 or 0 for true or false, nothing where there
-/// is none.
+/// A value as a field reads it: the shortest decimals that give a number back, 1 or 0 for true or false, nothing where
+/// there is none.
 template <class Value>
 [[nodiscard]] std::string csv_text(const Value& value) {
     return fmt::format("{}", value);

@@ -1,4 +1,5 @@
-// What a legend says, in words and positions: one source for the legend of figures and the one over the window's picture.
+// What a legend says, in words and positions: one source for the legend of figures and the one over the window's
+// picture.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // Maps: one scalar per pixel, computed from a frame. Heatmaps and divergence maps are both of this kind.
 //
 // To add a map: one entry in the table of its family, pixel_maps.cpp (one pixel at a time), tile_maps.cpp (groups of
-// pixels), walk_maps.cpp (what the groups' walks read and hit) or oracle_maps.cpp (one pixel's hit against the exact one).
+// pixels), walk_maps.cpp (what the groups' walks read and hit) or oracle_maps.cpp (one pixel's hit against the exact
+// one).
 #pragma once
 
 #include <optional>
@@ -62,8 +63,8 @@ struct BesideFrame {
         : judged(hits), walks(groups) {}
 };
 
-/// A map of one of the families. Exactly one of `of_pixel`, `of_frame`, `of_judged` and `of_walks` is set; of maps over tiles
-/// that the counters suffice for under Schedule::lockstep both `of_frame` and `of_walks`.
+/// A map of one of the families. Exactly one of `of_pixel`, `of_frame`, `of_judged` and `of_walks` is set; of maps over
+/// tiles that the counters suffice for under Schedule::lockstep both `of_frame` and `of_walks`.
 struct MapInfo {
     enum class Kind { count, ratio, length, category };
 

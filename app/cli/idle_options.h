@@ -28,8 +28,9 @@ void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const C
 /// Option --bins, in a command that makes every tree where `all_builders`.
 [[nodiscard]] OptionUse bins_use(const Session& session, bool all_builders);
 
-/// Those of the shared options, as note_idle() takes them. `session` is that of one scene; `all_tracers` where a command
-/// runs every tracer and traversal unless one is named, `all_builders` every builder, `random_rays` where it makes rays at random, whatever the scene.
+/// Those of the shared options, as note_idle() takes them. `session` is that of one scene; `all_tracers` where a
+/// command runs every tracer and traversal unless one is named, `all_builders` every builder, `random_rays` where it
+/// makes rays at random, whatever the scene.
 [[nodiscard]] std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
                                                  bool random_rays = false, bool all_builders = false);
 

@@ -89,8 +89,8 @@ void trace_in_steps(RayMachine& tracer, const TraceConfig& config, std::span<con
     }
 }
 
-/// The table of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told, unless it
-/// was asked for by name.
+/// The table of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told,
+/// unless it was asked for by name.
 std::string trace_all(const TraceOptions& options, const std::vector<std::unique_ptr<RayMachine>>& tracers,
                       TraceConfig config, const FlatScene& scene, const std::vector<Ray>& asked, TraceCheck& check,
                       ProgressLine& progress, CommandContext& context) {

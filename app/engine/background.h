@@ -21,8 +21,8 @@ class BackgroundRun {
     /// `mailbox` must outlive this.
     explicit BackgroundRun(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-    /// Runs `job` once what runs has ended, which is asked to stop. `ended` is called on the owner's thread with what the
-    /// job threw, or nothing; `what` it works on is named where memory runs out.
+    /// Runs `job` once what runs has ended, which is asked to stop. `ended` is called on the owner's thread with what
+    /// the job threw, or nothing; `what` it works on is named where memory runs out.
     void start(std::string what, Job job, std::function<void(const std::string& error)> ended);
     /// Asks what runs to stop; nothing of it arrives any more.
     void cancel();

@@ -61,8 +61,8 @@ class Convergence {
 
     void start(Sampler sampler);
     void stop() { state_.active = false; }
-    /// The pictures of `now` differ from those of the curves: forgets them. A change of traversal, rules, tracer or tree
-    /// begins another curve.
+    /// The pictures of `now` differ from those of the curves: forgets them. A change of traversal, rules, tracer or
+    /// tree begins another curve.
     void follow(const Session& now);
     [[nodiscard]] bool wants_sample() const;
     /// follow(), a curve where none grows, and the camera's offset for the next sample, in pixels.

@@ -61,8 +61,8 @@ class Engine {
     void stop_sampling() { convergence_.stop(); }
     /// A person did something: no duel for a while.
     void note_input();
-    /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the program's
-    /// choice.
+    /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the
+    /// program's choice.
     void allow_duel(bool allowed, int scale = 0);
     /// Measures efficiency against width of the rays shown, whenever the picture stays.
     void keep_widths(bool wanted);

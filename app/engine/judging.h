@@ -13,9 +13,9 @@ namespace kd {
 /// Used by one thread alone.
 class Judging {
   public:
-    /// Judges the hits of `rays`: those of a sketch's pixels first where the frame is a whole picture, which is soon done
-    /// and never stopped, so that something is seen while the camera moves; then all, unless stopped. Each is handed to
-    /// `publish`.
+    /// Judges the hits of `rays`: those of a sketch's pixels first where the frame is a whole picture, which is soon
+    /// done and never stopped, so that something is seen while the camera moves; then all, unless stopped. Each is
+    /// handed to `publish`.
     void judge(const TracedFrame& traced, Pass rays, int threads, const std::stop_token& stop,
                const std::function<void(std::shared_ptr<const JudgedLayer>)>& publish,
                const std::function<void(float)>& progress);

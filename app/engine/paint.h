@@ -17,8 +17,8 @@ inline constexpr int sketch_step = 4;
 /// InputError as view_map().
 [[nodiscard]] Picture paint(const PaintRequest& request);
 
-/// The same from one of 4 x 4 pixels: some sixteen times faster, for the moment until paint() is done. Hits may be judged
-/// for these pixels alone.
+/// The same from one of 4 x 4 pixels: some sixteen times faster, for the moment until paint() is done. Hits may be
+/// judged for these pixels alone.
 [[nodiscard]] Picture paint_sketch(const PaintRequest& request);
 
 }  // namespace kd

@@ -45,8 +45,8 @@ struct TracedFrame {
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
 };
 
-/// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch at
-/// least.
+/// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch
+/// at least.
 [[nodiscard]] inline bool is_complete_for(const TracedFrame& traced, const ViewConfig& view, bool all) {
     if (needs_walks(view)) return traced.walks && fits(*traced.walks, view.map);
     if (!needs_oracle(view)) return true;

@@ -1,5 +1,5 @@
-// The diagrams of the reports. Those of P1, P2 and P4 are work-precision diagrams: what a method takes along x, how far off it is
-// along y, both logarithmic; lower left is better. Those of P3 hold a prediction against what is paid.
+// The diagrams of the reports. Those of P1, P2 and P4 are work-precision diagrams: what a method takes along x, how far
+// off it is along y, both logarithmic; lower left is better. Those of P3 hold a prediction against what is paid.
 #pragma once
 
 #include <string>

@@ -38,7 +38,8 @@ th:first-child, td:first-child { text-align: left; }
 
 using Cells = std::vector<std::string>;
 
-/// Why there is no frame from which on a tree pays whose frames take `ratio` times less: what the interval shows, no more.
+/// Why there is no frame from which on a tree pays whose frames take `ratio` times less: what the interval shows, no
+/// more.
 std::string never_pays_text(const MedianInterval& ratio) {
     switch (verdict_of(ratio)) {
         case RatioVerdict::none: return "not timed";

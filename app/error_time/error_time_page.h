@@ -10,8 +10,8 @@
 
 namespace kd {
 
-/// Writes index.html, the diagrams and all tables into `folder`, each file whole or not at all and the page last. Returns
-/// their names. InputError, Interrupted.
+/// Writes index.html, the diagrams and all tables into `folder`, each file whole or not at all and the page last.
+/// Returns their names. InputError, Interrupted.
 std::vector<std::string> write_error_time(const std::filesystem::path& folder, const ErrorTimeResults& results,
                                           const std::stop_token& stop);
 

@@ -63,8 +63,8 @@ struct OpenedScene {
     FlatScene scene;
 };
 
-/// `progress` gets the fraction done and what runs. Interrupted where stopped; ContextError where GL was demanded and is
-/// not there.
+/// `progress` gets the fraction done and what runs. Interrupted where stopped; ContextError where GL was demanded and
+/// is not there.
 [[nodiscard]] ErrorTimeResults run_error_time(const ErrorTimeConfig& config, const std::vector<OpenedScene>& scenes,
                                               const std::function<void(float, const std::string&)>& progress,
                                               const std::stop_token& stop);

@@ -17,8 +17,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Whether files of the longer stem may be called as those of the shorter: what reports add to a stem begins with "-" and a
-/// letter.
+/// Whether files of the longer stem may be called as those of the shorter: what reports add to a stem begins with "-"
+/// and a letter.
 bool may_meet(const std::string& a, const std::string& b) {
     const auto& [shorter, longer] = a.size() < b.size() ? std::tie(a, b) : std::tie(b, a);
     if (!longer.starts_with(shorter)) return false;

@@ -11,8 +11,8 @@ struct ReportName {
     std::string stem;   // of its files: "ball-9000"
 };
 
-/// A name for each scene as it was asked for. The files that one scene's reports make of their stem are never those of another
-/// scene, also where letters are taken for the same in both cases.
+/// A name for each scene as it was asked for. The files that one scene's reports make of their stem are never those of
+/// another scene, also where letters are taken for the same in both cases.
 [[nodiscard]] std::vector<ReportName> report_names(const std::vector<std::string>& scenes);
 
 }  // namespace kd

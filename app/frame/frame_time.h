@@ -9,8 +9,8 @@
 
 namespace kd {
 
-/// By the tracer's own clock. `wall_ms` is 0 where that is the steady clock, `pass_ms` -1 where passes are not timed apart or did not run, `shaded_pixels` where not
-/// counted.
+/// By the tracer's own clock. `wall_ms` is 0 where that is the steady clock, `pass_ms` -1 where passes are not timed
+/// apart or did not run, `shaded_pixels` where not counted.
 struct FrameTime {
     double total_ms = 0;
     double wall_ms = 0;

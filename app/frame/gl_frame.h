@@ -21,9 +21,9 @@ class GlFrameDrawer {
     /// The frame stays in the tracer's targets; incomplete where stopped.
     FrameTime draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
                    const std::stop_token& stop, const std::function<void(float)>& progress);
-    /// Before a frame that is timed on hardware: where the GPU has idled, draws frames that do not count until its clocks
-    /// are up again. They fall within milliseconds (H100: from 1980 to 345 MHz), and the first frame after a pause takes
-    /// as many times longer. Returns how many frames it drew.
+    /// Before a frame that is timed on hardware: where the GPU has idled, draws frames that do not count until its
+    /// clocks are up again. They fall within milliseconds (H100: from 1980 to 345 MHz), and the first frame after a
+    /// pause takes as many times longer. Returns how many frames it drew.
     int wake(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
              const std::stop_token& stop);
     /// Another scene: its speed is not known.

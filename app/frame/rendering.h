@@ -37,7 +37,8 @@ struct Rendering {
 /// Of a command: what only gl-fragment asks.
 [[nodiscard]] GlChoices gl_choices(const CommonOptions& options, const Session& session);
 
-/// Loads, builds, traces, and makes what the map asks for beside the frame, with progress on the context's terminal. InputError, ContextError, Interrupted.
+/// Loads, builds, traces, and makes what the map asks for beside the frame, with progress on the context's terminal.
+/// InputError, ContextError, Interrupted.
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
 
 [[nodiscard]] inline BesideFrame beside(const Rendering& r) {

@@ -9,8 +9,9 @@
 
 namespace kd {
 
-/// Why there is nothing of `feature` in pictures of the scene that is there, traced as `trace` says; empty where there is, also
-/// where it was put back, and before a scene is there. For a control that switches the feature itself ask with it on.
+/// Why there is nothing of `feature` in pictures of the scene that is there, traced as `trace` says; empty where there
+/// is, also where it was put back, and before a scene is there. For a control that switches the feature itself ask with
+/// it on.
 [[nodiscard]] std::string why_absent(const EngineState& state, const TraceConfig& trace, Feature feature);
 
 /// The same of the rays that a pass traces.

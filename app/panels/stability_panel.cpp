@@ -1,4 +1,5 @@
-// STABILITY: the cases that break ray tracers. One is chosen from a list, seen in the picture, run, and its parameter driven.
+// STABILITY: the cases that break ray tracers. One is chosen from a list, seen in the picture, run, and its parameter
+// driven.
 #include <imgui.h>
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>

@@ -11,8 +11,8 @@ namespace kd {
 
 namespace {
 
-/// As on the page of errortime. Curves that differ in rules or tree alone would look the same; the later of them get inks that no
-/// sampler has.
+/// As on the page of errortime. Curves that differ in rules or tree alone would look the same; the later of them get
+/// inks that no sampler has.
 void give_look(const ConvergenceCurve& of, ChartCurve& curve, const std::vector<ChartCurve>& before) {
     curve.ink = ink_of(of.sampler);
     curve.stroke = stroke_of(of.session.trace.traversal);

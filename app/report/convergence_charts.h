@@ -10,7 +10,8 @@
 
 namespace kd {
 
-/// The curves of one picture, both axes logarithmic, with the slope of independent samples through the newest curve's start.
+/// The curves of one picture, both axes logarithmic, with the slope of independent samples through the newest curve's
+/// start.
 [[nodiscard]] Chart convergence_chart(const ConvergenceState& state);
 
 /// The configurations tried: time of a frame against steps per pixel; lower left is better.

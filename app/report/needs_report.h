@@ -42,7 +42,8 @@ struct NeedsReport {
     std::string renderer, clock;
 };
 
-/// Times every feature that is left out, `rounds` times each (0: none), with progress. InputError, ContextError, Interrupted.
+/// Times every feature that is left out, `rounds` times each (0: none), with progress. InputError, ContextError,
+/// Interrupted.
 [[nodiscard]] NeedsReport needs_report(const Rendering& rendering, const GlChoices& gl, int rounds,
                                        CommandContext& context);
 

@@ -1,5 +1,5 @@
-// How a curve of sampled pictures looks, in the window as on the page of errortime: its colour says the sampler, its stroke the
-// traversal, its marks the machine.
+// How a curve of sampled pictures looks, in the window as on the page of errortime: its colour says the sampler, its
+// stroke the traversal, its marks the machine.
 #pragma once
 
 #include "renderer/measure/error_time/sampling.h"

@@ -15,7 +15,8 @@ namespace kd {
 /// One line per value, one column of faults per method; then the errors of t in the same way.
 void print(std::ostream& out, const SweepReport& report);
 
-/// A row per value and method, with a header. A cell is empty where there is nothing to tell, such as the ulps of no hit.
+/// A row per value and method, with a header. A cell is empty where there is nothing to tell, such as the ulps of no
+/// hit.
 [[nodiscard]] std::string sweep_csv(const SweepReport& report);
 
 /// null stands for what sweep_csv() leaves empty.

@@ -1,8 +1,8 @@
 // Mouse buttons on their way to Dear ImGui, as many frames as it needs to see each change.
 //
-// Version 1.86 of it looks once per frame at which buttons are down: a click within one slow frame has no end, and two are
-// one. Here each change waits for a frame of its own, with the place where the mouse was; whether a press is the second of
-// a double click is told from when they came, not from the frames that show them.
+// Version 1.86 of it looks once per frame at which buttons are down: a click within one slow frame has no end, and two
+// are one. Here each change waits for a frame of its own, with the place where the mouse was; whether a press is the
+// second of a double click is told from when they came, not from the frames that show them.
 #pragma once
 
 #include <array>

@@ -15,8 +15,8 @@ namespace kd {
 /// Moves eye and target so that what is at the target's distance follows the mouse; in shares of the picture's height.
 [[nodiscard]] Camera pan(const Camera& camera, float right, float down);
 
-/// Multiplies the distance to the target; never reaches it, and stays within a millionth and a million times `scene_size`,
-/// and where single precision tells eye from target.
+/// Multiplies the distance to the target; never reaches it, and stays within a millionth and a million times
+/// `scene_size`, and where single precision tells eye from target.
 [[nodiscard]] Camera zoom(const Camera& camera, float factor, float scene_size);
 
 /// Moves eye and target by distances in world units.

@@ -11,8 +11,8 @@
 namespace kd {
 
 /// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is
-/// (at least a preview) of the session that the event led to. Those that never were are written at the end, with nothing
-/// for the frame's time and the latency.
+/// (at least a preview) of the session that the event led to. Those that never were are written at the end, with
+/// nothing for the frame's time and the latency.
 class EventLog {
   public:
     /// Throws InputError where `path` cannot be written; empty: off.

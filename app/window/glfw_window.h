@@ -15,7 +15,8 @@ namespace kd {
 /// Opens GLFW and a window; everything in here is for the main thread unless said otherwise.
 class GlfwWindow {
   public:
-    /// As large as `size`, or as suits the screen where that is empty. NoDisplay where GLFW finds no display or no OpenGL.
+    /// As large as `size`, or as suits the screen where that is empty. NoDisplay where GLFW finds no display or no
+    /// OpenGL.
     GlfwWindow(const std::string& title, WindowSize size, bool maximised);
     ~GlfwWindow();
     GlfwWindow(const GlfwWindow&) = delete;
@@ -29,8 +30,8 @@ class GlfwWindow {
     /// Minimised or not mapped: nobody sees it. (What lies behind other windows is not known.)
     [[nodiscard]] bool hidden() const;
 
-    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called on the thread that will use it, and
-    /// let go on that thread; called again where the one before was lost. ContextError where there is none.
+    /// Opens a GL >= 4.3 context that shares nothing with the window's; to be called on the thread that will use it,
+    /// and let go on that thread; called again where the one before was lost. ContextError where there is none.
     [[nodiscard]] std::function<std::unique_ptr<Context>()> tracing_context() const;
 
   private:

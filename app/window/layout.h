@@ -23,16 +23,17 @@ struct WindowSize {
     bool operator==(const WindowSize&) const = default;
 };
 
-/// For the first time on a screen that leaves `free` to windows: most of it, at least 1280 x 720 at scale 1 where it has
-/// as much.
+/// For the first time on a screen that leaves `free` to windows: most of it, at least 1280 x 720 at scale 1 where it
+/// has as much.
 [[nodiscard]] WindowSize first_size(WindowSize free, float scale);
 
 struct Layout {
     Rectangle top, left, picture, right, bottom, status;
 };
 
-/// Divides the window: the column at the left is as high as it can be, the bottom begins beside it. `panels` off gives everything but the top and status line to the picture. The picture keeps at
-/// least 40 % of the width and 30 % of the height, whatever the sizes say.
+/// Divides the window: the column at the left is as high as it can be, the bottom begins beside it. `panels` off gives
+/// everything but the top and status line to the picture. The picture keeps at least 40 % of the width and 30 % of the
+/// height, whatever the sizes say.
 [[nodiscard]] Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels);
 
 /// The three splitters; true while one is dragged, which changes `sizes`.

@@ -12,8 +12,8 @@ namespace kd::widgets {
 /// them. `from` -1: above the first.
 [[nodiscard]] int step_in_list(const std::vector<Option>& options, int from, int steps);
 
-/// Draws the lines of the list that is open now. Up, Down, Page Up, Page Down, Home and End go from line to line, Enter takes
-/// one, Esc closes the list. True where another than `name` was chosen.
+/// Draws the lines of the list that is open now. Up, Down, Page Up, Page Down, Home and End go from line to line, Enter
+/// takes one, Esc closes the list. True where another than `name` was chosen.
 bool choose_in_list(const char* label, std::string& name, const std::vector<Option>& options);
 
 }  // namespace kd::widgets

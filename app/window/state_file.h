@@ -12,8 +12,8 @@ namespace kd {
 /// How many inputs of each kind came: "key", "move", "button", "scroll", "resize", "drop".
 using InputCounts = std::map<std::string, int>;
 
-/// Writes a JSON file whenever the picture is complete and something in it changed, and a short one while a tree is built:
-/// that it is, where the controls are, and `inputs`: those that the screen answers. Off for an empty path.
+/// Writes a JSON file whenever the picture is complete and something in it changed, and a short one while a tree is
+/// built: that it is, where the controls are, and `inputs`: those that the screen answers. Off for an empty path.
 class StateFile {
   public:
     explicit StateFile(std::string path) : path_(std::move(path)) {}

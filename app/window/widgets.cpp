@@ -17,8 +17,8 @@ constexpr float label_share = 0.46f;
 /// Identity of a control whose label stands elsewhere.
 std::string hidden(const char* label) { return std::string("##") + label; }
 
-/// A tooltip over the rows of a panel or a list would hide what it is about: it goes beside columns and above what lies at
-/// the bottom.
+/// A tooltip over the rows of a panel or a list would hide what it is about: it goes beside columns and above what lies
+/// at the bottom.
 void place_tooltip(ImVec2 at) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const ImVec2 corner = ImGui::GetWindowPos();

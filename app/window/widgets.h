@@ -8,11 +8,12 @@
 
 namespace kd::widgets {
 
-/// Tooltip of the item just drawn, also where it is disabled. None after the item was used, until the mouse has left it.
+/// Tooltip of the item just drawn, also where it is disabled. None after the item was used, until the mouse has left
+/// it.
 void hint(std::string_view text);
 
-/// What is read out under the mouse of a thing that is no control, such as a chart. `used`: it was clicked on; the mouse has
-/// to move on first.
+/// What is read out under the mouse of a thing that is no control, such as a chart. `used`: it was clicked on; the
+/// mouse has to move on first.
 void read_out(std::string_view text, bool used);
 
 /// A text beside the place `at`, where it hides neither rows nor lists.

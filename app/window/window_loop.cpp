@@ -107,7 +107,8 @@ void WindowLoop::run(const std::stop_token& stop) {
             continue;
         }
         const EngineState& state = engine_->state();
-        // A measurement's bar moves too, four times a second: drawn as often as others it would take from what is measured.
+        // A measurement's bar moves too, four times a second: drawn as often as others it would take from what is
+        // measured.
         const bool moving = state.working() || state.stability.active || state.needs.active ||
                             !state.messages.empty() || edit_.exporting.active;
         if (lively_frames_ > 0 || moving) {

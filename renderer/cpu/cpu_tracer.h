@@ -29,8 +29,9 @@ class CpuTracer {
     /// Makes the tables that `config` needs. Called by the others; call it first to keep it out of a timing.
     void prepare(const TraceConfig& config);
 
-    /// Traces the pixels of `tiles` into `frame` on `threads` threads (0 = all), in order as far as threads allow. False
-    /// where stopped before the end. `progress` receives the fraction done and may be called from several threads.
+    /// Traces the pixels of `tiles` into `frame` on `threads` threads (0 = all), in order as far as threads allow.
+    /// False where stopped before the end. `progress` receives the fraction done and may be called from several
+    /// threads.
     bool trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles, Frame& frame,
                      int threads = 0, std::stop_token stop = {}, const std::function<void(float)>& progress = {});
 
@@ -38,8 +39,8 @@ class CpuTracer {
     bool trace_frame(const TraceConfig& config, const PinholeCamera& camera, Frame& frame, int threads = 0,
                      std::stop_token stop = {}, const std::function<void(float)>& progress = {});
 
-    /// Traces the rays given. `counters` may be empty (nothing is counted then) or as long as `rays`. False where stopped
-    /// before the end.
+    /// Traces the rays given. `counters` may be empty (nothing is counted then) or as long as `rays`. False where
+    /// stopped before the end.
     bool trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                     std::span<RayCounters> counters, int threads = 0, std::stop_token stop = {});
 

@@ -1,7 +1,7 @@
 // One pixel through the paper's four passes. Included by tile_kernel.cpp once per instruction set, like kernel.h.
 
-/// Traces one pixel's rays, those of each pass told to its observer in `seen` and answered in `hits`. Returns the colour,
-/// which is the pixel's where all passes ran; those after `last` do not.
+/// Traces one pixel's rays, those of each pass told to its observer in `seen` and answered in `hits`. Returns the
+/// colour, which is the pixel's where all passes ran; those after `last` do not.
 template <class Kernel, class Observer>
 Vec3 walk_pixel(Kernel& kernel, const TileJob& job, int2 pixel, int2 size, Pass last,
                 std::array<Observer, pass_count>& seen, std::array<Hit, pass_count>& hits) {

@@ -23,7 +23,8 @@ struct Aabb {
         upper = glm::max(upper, point);
     }
 
-    /// Sum of the areas of the six faces; 0 for the empty box. In double: products of extents of huge scenes overflow float.
+    /// Sum of the areas of the six faces; 0 for the empty box. In double: products of extents of huge scenes overflow
+    /// float.
     [[nodiscard]] double surface_area() const {
         if (empty()) return 0.0;
         const glm::dvec3 d = glm::dvec3(upper) - glm::dvec3(lower);

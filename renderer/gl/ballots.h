@@ -28,12 +28,13 @@ struct BallotSupport {
 };
 [[nodiscard]] BallotSupport ballot_support(const GlApi& gl);
 
-/// True where the rays of `config` can be walked by a loop that counts its lanes: the traversals of the tree under the robust
-/// rules.
+/// True where the rays of `config` can be walked by a loop that counts its lanes: the traversals of the tree under the
+/// robust rules.
 [[nodiscard]] bool has_ballot_loop(const TraceConfig& config);
 
 /// What the shader says of one pixel. `led` counts the iterations in which this lane was the lowest one at work, and
-/// `led_lanes` the lanes at work in them, [0] at interior nodes and [1] at leaves: sums over a group are the group's own.
+/// `led_lanes` the lanes at work in them, [0] at interior nodes and [1] at leaves: sums over a group are the group's
+/// own.
 struct LaneBallots {
     std::uint32_t led[2] = {0, 0};
     std::uint32_t led_lanes[2] = {0, 0};

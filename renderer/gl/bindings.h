@@ -1,4 +1,5 @@
-// Binding points of the fragment shaders: the numbers in shaders/fragment/bindings.glsl, path_io.glsl and pixel_io.glsl.
+// Binding points of the fragment shaders: the numbers in shaders/fragment/bindings.glsl, path_io.glsl and
+// pixel_io.glsl.
 #pragma once
 
 namespace kd {

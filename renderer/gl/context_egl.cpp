@@ -93,7 +93,8 @@ EGLContext create_on(const Egl& egl, EGLDisplay display) {
             std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       version.major,
                                            EGL_CONTEXT_MINOR_VERSION,       version.minor,
                                            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-            // Tells when the GPU was reset, and reads nothing of others beyond the end of a buffer. Not all drivers can.
+            // Tells when the GPU was reset, and reads nothing of others beyond the end of a buffer. Not all drivers
+            // can.
             if (robust)
                 attributes.insert(attributes.end(),
                                   {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET,

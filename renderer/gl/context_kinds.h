@@ -1,4 +1,5 @@
-// The ways to make a context, one file each. All throw ContextError with the reason alone; Context::create adds the remedy.
+// The ways to make a context, one file each. All throw ContextError with the reason alone; Context::create adds the
+// remedy.
 #pragma once
 
 #include <memory>

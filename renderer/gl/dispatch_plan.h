@@ -6,8 +6,8 @@
 
 namespace kd {
 
-/// Cuts frames into tiles that take about the same time each: drivers reset a GPU that works on one draw for seconds, and
-/// between tiles work can be stopped. What a pixel takes is measured as it goes.
+/// Cuts frames into tiles that take about the same time each: drivers reset a GPU that works on one draw for seconds,
+/// and between tiles work can be stopped. What a pixel takes is measured as it goes.
 class DispatchPlan {
   public:
     /// Tiles of about `wanted_ms` milliseconds.

@@ -5,7 +5,8 @@
 
 namespace kd {
 
-/// Puts faults between the caller and the current context's driver, as words in $KDSCOPE_FAULT ask, with commas between:
+/// Puts faults between the caller and the current context's driver, as words in $KDSCOPE_FAULT ask, with commas
+/// between:
 ///   texels:N   a buffer texture holds N texels
 ///   side:N     a texture holds N x N pixels
 ///   memory:N   buffers and textures of more than N bytes run out of memory

@@ -23,8 +23,8 @@ struct SelfTestError : GlError {
     using GlError::GlError;
 };
 
-/// ContextLost where the driver tells of a reset. GlError naming `step` where glGetError reports anything since the last call, with the driver's words if KD_GL_DEBUG
-/// asks for them.
+/// ContextLost where the driver tells of a reset. GlError naming `step` where glGetError reports anything since the
+/// last call, with the driver's words if KD_GL_DEBUG asks for them.
 void check_gl(const GlApi& gl, std::string_view step);
 
 }  // namespace kd

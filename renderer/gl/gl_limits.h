@@ -9,13 +9,14 @@
 
 namespace kd {
 
-/// Most steps (interior visits, leaves and triangle tests) of one ray in a shader; what needs more ends as KD_EXIT_STEP_CAP.
+/// Most steps (interior visits, leaves and triangle tests) of one ray in a shader; what needs more ends as
+/// KD_EXIT_STEP_CAP.
 inline constexpr int gl_step_budget = 60000;
 
-/// llvmpipe ends loops after 65 535 rounds that all loops of a group of neighbouring invocations share. A walk takes up to
-/// three rounds a step (a leaf is one of the walk's, and each loop has one more to find that it is done), and where
-/// neighbours part, the rounds of each add up. So a ray among its like has this many steps for sure; one among others can have
-/// fewer. check_loops() flags both as KD_EXIT_STEP_CAP. Other drivers leave gl_step_budget to all.
+/// llvmpipe ends loops after 65 535 rounds that all loops of a group of neighbouring invocations share. A walk takes up
+/// to three rounds a step (a leaf is one of the walk's, and each loop has one more to find that it is done), and where
+/// neighbours part, the rounds of each add up. So a ray among its like has this many steps for sure; one among others
+/// can have fewer. check_loops() flags both as KD_EXIT_STEP_CAP. Other drivers leave gl_step_budget to all.
 inline constexpr int gl_sure_steps = 65535 / 3;
 
 struct GlLimits {

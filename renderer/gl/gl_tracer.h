@@ -60,8 +60,8 @@ class GlTracer {
     explicit GlTracer(Context& context);
     ~GlTracer();
 
-    /// Uploads scene and tree; both must outlive the next upload. InputError with the numbers where a limit of the float4
-    /// encoding, of textures or of the loop budget is passed; the previous upload stays usable then.
+    /// Uploads scene and tree; both must outlive the next upload. InputError with the numbers where a limit of the
+    /// float4 encoding, of textures or of the loop budget is passed; the previous upload stays usable then.
     void upload(const FlatScene& scene, const KdTree& tree);
 
     /// Compiles the programs and makes the tables and targets that a configuration needs, outside of any timing.
@@ -82,14 +82,14 @@ class GlTracer {
     [[nodiscard]] BallotLayer measure_ballots(const TraceConfig& config, Schedule loop, std::span<const Ray> rays,
                                               bool any_hit, int width, int height);
 
-    /// Whether quotients and roots are corrected to the nearest number (shaders/shared/rounding.glsl): on hardware they are
-    /// unless told otherwise, and hits and counters then equal the CPU's.
+    /// Whether quotients and roots are corrected to the nearest number (shaders/shared/rounding.glsl): on hardware they
+    /// are unless told otherwise, and hits and counters then equal the CPU's.
     void correct_rounding(bool on);
 
     [[nodiscard]] GlMemory memory() const;
 
-    /// `told` gets the number of programs that are being compiled in a prepare(), growing one by one, and 0 when all are
-    /// ready. Nothing is told where all are there already.
+    /// `told` gets the number of programs that are being compiled in a prepare(), growing one by one, and 0 when all
+    /// are ready. Nothing is told where all are there already.
     void tell_compiling(std::function<void(int)> told);
 
     struct Impl;  // renderer/gl/gl_tracer_impl.h

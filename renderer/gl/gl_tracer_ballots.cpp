@@ -69,8 +69,8 @@ struct BallotTargets {
     }
 };
 
-/// Covers the picture with one triangle that needs no clipping: half of a square four times its size. A strip's diagonal cuts
-/// groups in two on llvmpipe. Where so large a viewport is not to be had, the strip it is.
+/// Covers the picture with one triangle that needs no clipping: half of a square four times its size. A strip's
+/// diagonal cuts groups in two on llvmpipe. Where so large a viewport is not to be had, the strip it is.
 void draw_without_seam(const GlApi& gl, const GlVertexArray& no_vertices, int width, int height) {
     std::array<GLint, 2> largest{};
     gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, largest.data());

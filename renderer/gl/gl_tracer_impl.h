@@ -1,5 +1,5 @@
-// What a GlTracer holds. The parts: gl_tracer.cpp (upload, prepare), gl_tracer_draw.cpp (the passes), gl_tracer_read.cpp
-// (back to a Frame), gl_tracer_rays.cpp (rays from a table).
+// What a GlTracer holds. The parts: gl_tracer.cpp (upload, prepare), gl_tracer_draw.cpp (the passes),
+// gl_tracer_read.cpp (back to a Frame), gl_tracer_rays.cpp (rays from a table).
 #pragma once
 
 #include <optional>

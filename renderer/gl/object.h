@@ -8,8 +8,8 @@
 
 namespace kd {
 
-/// How many buffers, textures, framebuffers, vertex arrays, queries, programs and shaders the context holds. Slow: asks for
-/// every name up to the newest.
+/// How many buffers, textures, framebuffers, vertex arrays, queries, programs and shaders the context holds. Slow: asks
+/// for every name up to the newest.
 [[nodiscard]] std::array<int, 7> count_objects(const GlApi& gl);
 
 /// An object named by glGenXs and glDeleteXs.

@@ -15,12 +15,12 @@ namespace kd {
 
 class SceneUpload {
   public:
-    /// Uploads what every configuration reads. InputError where a limit is passed, before anything is uploaded. Scene and
-    /// tree must outlive this.
+    /// Uploads what every configuration reads. InputError where a limit is passed, before anything is uploaded. Scene
+    /// and tree must outlive this.
     SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree);
 
-    /// Uploads what else `needs` asks for and is not there yet, and lets go of what it does not. InputError where `config`
-    /// cannot be traced.
+    /// Uploads what else `needs` asks for and is not there yet, and lets go of what it does not. InputError where
+    /// `config` cannot be traced.
     void prepare(const TraceConfig& config, const SceneNeeds& needs);
 
     void bind() const;

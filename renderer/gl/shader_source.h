@@ -1,4 +1,5 @@
-// Shader text: #include resolved, settings put in front, and a table that leads from its lines back to the files. No GL.
+// Shader text: #include resolved, settings put in front, and a table that leads from its lines back to the files. No
+// GL.
 #pragma once
 
 #include <functional>
@@ -38,12 +39,13 @@ struct ShaderSource {
     /// "shaders/shared/box.glsl:12" for a line of `text`, counted from 1.
     [[nodiscard]] std::string locate(int line) const;
 
-    /// A driver's log with its positions ("0:123(4):" Mesa, "0(123) :" NVIDIA, "0:123:" others) replaced by file and line.
+    /// A driver's log with its positions ("0:123(4):" Mesa, "0(123) :" NVIDIA, "0:123:" others) replaced by file and
+    /// line.
     [[nodiscard]] std::string map_log(std::string_view log) const;
 };
 
-/// `entry` with its includes. A name is looked up beside the including file, then from shaders/. ShaderError where a file
-/// is missing or includes itself.
+/// `entry` with its includes. A name is looked up beside the including file, then from shaders/. ShaderError where a
+/// file is missing or includes itself.
 [[nodiscard]] ShaderSource resolve_shader(const std::string& entry, const ShaderDefines& defines,
                                           const ShaderReader& read = default_shader_reader());
 

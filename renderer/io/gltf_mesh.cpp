@@ -67,8 +67,8 @@ std::vector<Vector> read_companion(GltfContext& context, const tinygltf::Model& 
     return read_vectors<Vector>(context, model, accessor);
 }
 
-/// Whether `given`, an accessor's min or max, is not `true_bound` but for rounding in decimals. Lists of another length are
-/// no bounds.
+/// Whether `given`, an accessor's min or max, is not `true_bound` but for rounding in decimals. Lists of another length
+/// are no bounds.
 bool contradicts(const std::vector<double>& given, Vec3 true_bound) {
     if (given.size() != 3) return false;
     const double size = std::max({std::abs(true_bound.x), std::abs(true_bound.y), std::abs(true_bound.z)});

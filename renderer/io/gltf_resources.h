@@ -24,8 +24,8 @@ class GltfResources {
     /// True for the names that tinygltf gives to what the scene refers to: its decoded URIs.
     [[nodiscard]] bool knows(const std::string& name) const { return files_.contains(name); }
     /// The file of that name. InputError where it cannot be read or is an image above the limit. tinygltf asks once for
-    /// each buffer, in their order, and then for the images: each buffer gets as many bytes as its byteLength says, also
-    /// where several are parts of one file.
+    /// each buffer, in their order, and then for the images: each buffer gets as many bytes as its byteLength says,
+    /// also where several are parts of one file.
     [[nodiscard]] std::vector<unsigned char> read(const std::string& name);
 
   private:

@@ -24,7 +24,8 @@ struct PbrSurface {
 /// The renderer adds display-referred colours, so linear ones are encoded (sRGB). With smoothness = 1 - roughness:
 ///   diffuse     = encoded(base * (1 - metal * smoothness)): a rough metal is shown as if it scattered, not black
 ///   specular    = encoded(F0) * smoothness
-///   shininess   = 2 / alpha^2 - 2 with alpha = roughness^2, kept within 2..1024: the Blinn-Phong exponent of a highlight
+///   shininess   = 2 / alpha^2 - 2 with alpha = roughness^2, kept within 2..1024: the Blinn-Phong exponent of a
+///   highlight
 ///                 of that roughness (Karis, "Specular BRDF Reference", 2013)
 ///   reflectance = blend of F0 (dielectric) and encoded(F0) (metal), times smoothness^2; 0 from roughness 0.5 on, and
 ///                 per channel below 1/255, so that ordinary dielectrics call for no reflection passes. F0 of a

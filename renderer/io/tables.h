@@ -33,9 +33,8 @@ inline constexpr std::size_t largest_ray_count = 10'000'000;
 
 /// One row per pixel, row by row from the top: x, y, then for every pass that ran triangle, t, u, v, every counter and
 /// exit_reason, as primary_triangle, ..., reflection_shadow_exit_reason. The primary rays always count as run, the
-/// other passes where some pixel traced something. t is in scene units. Floats are the shortest decimals that give the same float back, but
-/// for -0, which is 0.
-/// `progress` gets the fraction done.
+/// other passes where some pixel traced something. t is in scene units. Floats are the shortest decimals that give the
+/// same float back, but for -0, which is 0. `progress` gets the fraction done.
 [[nodiscard]] std::string frame_csv(const Frame& frame, const std::function<void(float)>& progress = {});
 
 /// EXR with one 32-bit float channel per counter of the primary rays (exact up to 2^24), exit_reason, and t in scene

@@ -26,8 +26,8 @@ struct BuildConfig {
     float empty_bonus = 0.2f;
     /// The bonus is given only where the empty child is at least this fraction of the node's extent along the axis.
     float empty_bonus_gate = 0.1f;
-    /// Where at least this fraction of a cell, from one face on, holds no triangle, it is cut off before anything else is
-    /// tried (Zhou, Hou, Wang, Guo 2008); 0 = never.
+    /// Where at least this fraction of a cell, from one face on, holds no triangle, it is cut off before anything else
+    /// is tried (Zhou, Hou, Wang, Guo 2008); 0 = never.
     float empty_cut = 0.0f;
     /// Nodes with at most this many triangles become leaves.
     int leaf_size = 2;
@@ -36,13 +36,13 @@ struct BuildConfig {
     /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).
     int bad_refines = 0;
     /// The tree never holds more references than this many per triangle. Children share their parent's allowance in
-    /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the scene
-    /// starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
+    /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the
+    /// scene starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
     float reference_cap = 64.0f;
     /// Planes that the builder with bins looks at: one between every two of so many bins on each axis.
     int bins = 32;
-    /// A leaf names only triangles whose surface reaches its cell, not all whose bounding box does (the paper's choice):
-    /// the same splits with a quarter fewer triangle tests.
+    /// A leaf names only triangles whose surface reaches its cell, not all whose bounding box does (the paper's
+    /// choice): the same splits with a quarter fewer triangle tests.
     bool trim_leaves = true;
 
     bool operator==(const BuildConfig&) const = default;

@@ -1,6 +1,7 @@
-// The surface area heuristic at a few evenly spaced planes: triangles are counted by the bins that their boxes start and end
-// in, which takes one pass and no sorting. After Shevtsov, Soupikov and Kapustin, "Highly parallel fast kd-tree construction
-// for interactive ray tracing of dynamic scenes", 2007. A cell with no more triangles than bins is swept exactly.
+// The surface area heuristic at a few evenly spaced planes: triangles are counted by the bins that their boxes start
+// and end in, which takes one pass and no sorting. After Shevtsov, Soupikov and Kapustin, "Highly parallel fast kd-tree
+// construction for interactive ray tracing of dynamic scenes", 2007. A cell with no more triangles than bins is swept
+// exactly.
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/grow.h"
@@ -80,7 +81,8 @@ class BinnedSplitter : public Splitter {
         }
     }
 
-    /// A box that ends on the plane between two bins ends in the one below, one that starts or lies there in the one above.
+    /// A box that ends on the plane between two bins ends in the one below, one that starts or lies there in the one
+    /// above.
     void fill_bins(const Aabb& cell, int axis, std::span<const std::int32_t> numbers) {
         std::fill(starts_.begin(), starts_.end(), 0);
         std::fill(ends_.begin(), ends_.end(), 0);

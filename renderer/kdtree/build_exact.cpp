@@ -1,6 +1,6 @@
-// The surface area heuristic at its best: every start and end of the triangles' parts in the cell, on all three axes, in
-// O(N log N). After Wald & Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006, with
-// their "perfect splits": a triangle cut by a plane goes on as two boxes, each around what lies on one side.
+// The surface area heuristic at its best: every start and end of the triangles' parts in the cell, on all three axes,
+// in O(N log N). After Wald & Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)",
+// 2006, with their "perfect splits": a triangle cut by a plane goes on as two boxes, each around what lies on one side.
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/clip.h"

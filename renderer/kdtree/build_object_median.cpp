@@ -1,5 +1,5 @@
-// As many triangles on one side as on the other: every cell is split at the median of its triangles' middles, across its
-// longest axis, until that has not paid off too often.
+// As many triangles on one side as on the other: every cell is split at the median of its triangles' middles, across
+// its longest axis, until that has not paid off too often.
 
 #include <algorithm>
 

@@ -1,9 +1,10 @@
 // The paper's builder (its section 2.3.1): surface area heuristic at the starts and ends of the triangles' projections,
 // along the longest axis where that serves.
 //
-// The paper's "if a suitable split position is not found" is read as: none that costs less than a leaf. What follows, to
-// cycle through the other axes and choose the lowest cost, can be read in two ways: the cheapest of all axes, or the
-// cheapest on the first axis that serves. Both are here. It leaves the rules for stopping open; those of grow.cpp are the ones of Pharr & Humphreys, "Physically Based Rendering".
+// The paper's "if a suitable split position is not found" is read as: none that costs less than a leaf. What follows,
+// to cycle through the other axes and choose the lowest cost, can be read in two ways: the cheapest of all axes, or the
+// cheapest on the first axis that serves. Both are here. It leaves the rules for stopping open; those of grow.cpp are
+// the ones of Pharr & Humphreys, "Physically Based Rendering".
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/grow.h"

@@ -1,4 +1,5 @@
-// The list of builders. A new one is a file of its own, build_NAME.cpp, that defines kd::NAME_builder(), and one line here.
+// The list of builders. A new one is a file of its own, build_NAME.cpp, that defines kd::NAME_builder(), and one line
+// here.
 #pragma once
 
 #include "renderer/kdtree/build.h"

@@ -16,8 +16,8 @@ struct AxisRange {
     float upper;
 };
 
-/// Side bits of a triangle that spans `range` on the split's axis: one that only touches the plane stays on its side, one
-/// that lies in it goes where the split says.
+/// Side bits of a triangle that spans `range` on the split's axis: one that only touches the plane stays on its side,
+/// one that lies in it goes where the split says.
 [[nodiscard]] inline unsigned sides_of(AxisRange range, const Split& split) {
     const unsigned sides =
         (range.lower < split.position ? side_below : 0u) | (range.upper > split.position ? side_above : 0u);
@@ -42,7 +42,8 @@ class CellLists {
     /// Counts for a split of the top cell at a given plane.
     [[nodiscard]] Split count(int axis, float position, bool planar_below = true) const;
 
-    /// What the boxes of the top cell's triangles cover on an axis, cut to the cell; the other way round where there are none.
+    /// What the boxes of the top cell's triangles cover on an axis, cut to the cell; the other way round where there
+    /// are none.
     [[nodiscard]] AxisRange covered(int axis, const Aabb& cell) const;
 
     /// A triangle goes to the sides its box reaches into; one that lies in the plane goes where the split says.

@@ -8,9 +8,9 @@ namespace kd {
 
 namespace {
 
-/// Bound of what rounding does to a coordinate in six clips, relative to the triangle's largest on that axis: each moves
-/// a vertex by less than 8 * 2^-53 of it. Planes stand outside the cell by as much, so that a vertex that moved in one
-/// clip does not fall behind a plane of the next.
+/// Bound of what rounding does to a coordinate in six clips, relative to the triangle's largest on that axis: each
+/// moves a vertex by less than 8 * 2^-53 of it. Planes stand outside the cell by as much, so that a vertex that moved
+/// in one clip does not fall behind a plane of the next.
 constexpr double clip_rounding = 0x1p-45;
 
 /// A convex polygon gains one vertex from each of six planes; one bent by rounding may gain half as many as it has.

@@ -6,9 +6,9 @@
 namespace kd {
 
 /// A box around the part of the triangle inside the closed cell, as small as rounding allows: what clipping computes is
-/// rounded outwards, corners inside the cell keep their coordinates. `known` is a box inside the cell known to hold that
-/// part; the result lies in it, and is `known` where nothing of the triangle is found in the cell.
-/// Clips by Sutherland & Hodgman, "Reentrant polygon clipping", 1974, in double.
+/// rounded outwards, corners inside the cell keep their coordinates. `known` is a box inside the cell known to hold
+/// that part; the result lies in it, and is `known` where nothing of the triangle is found in the cell. Clips by
+/// Sutherland & Hodgman, "Reentrant polygon clipping", 1974, in double.
 [[nodiscard]] Aabb clipped_bounds(const Triangle& triangle, const Aabb& cell, const Aabb& known);
 
 }  // namespace kd

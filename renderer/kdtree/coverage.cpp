@@ -12,8 +12,8 @@ namespace {
 /// What rounding may do to a projection, relative to the corners' distance from the box's centre.
 constexpr double projection_rounding = 1e-13;
 
-/// Whether the projections on `direction` of a triangle and a box around the origin do not overlap; `margin` (in lengths)
-/// is how far apart they must be, or, negative, how far they may overlap.
+/// Whether the projections on `direction` of a triangle and a box around the origin do not overlap; `margin` (in
+/// lengths) is how far apart they must be, or, negative, how far they may overlap.
 bool separates(glm::dvec3 direction, const std::array<glm::dvec3, 3>& corner, glm::dvec3 half, double margin) {
     const double a = dot(direction, corner[0]);
     const double b = dot(direction, corner[1]);
@@ -108,9 +108,10 @@ class Coverage {
 
 namespace {
 
-/// Whether a plane lies between the triangle and the box scaled by `scale` about its centre: separating axes are the box's
-/// three, the triangle's normal, and the nine products of their edges (Akenine-Moeller, "Fast 3D Triangle-Box Overlap
-/// Testing", 2001), in double. `certainty` is +1 where the answer "apart" must be sure, -1 where "together" must be.
+/// Whether a plane lies between the triangle and the box scaled by `scale` about its centre: separating axes are the
+/// box's three, the triangle's normal, and the nine products of their edges (Akenine-Moeller, "Fast 3D Triangle-Box
+/// Overlap Testing", 2001), in double. `certainty` is +1 where the answer "apart" must be sure, -1 where "together"
+/// must be.
 bool apart(const Triangle& triangle, const Aabb& box, double scale, double certainty) {
     const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
     const glm::dvec3 half = scale * 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));

@@ -5,8 +5,8 @@
 
 namespace kd {
 
-/// True only where the triangle's surface certainly passes through the inside of the box; along an axis in which the box
-/// is flat, touching counts. Triangles that come within rounding of the faces are left undecided: false.
+/// True only where the triangle's surface certainly passes through the inside of the box; along an axis in which the
+/// box is flat, touching counts. Triangles that come within rounding of the faces are left undecided: false.
 [[nodiscard]] bool surface_enters(const Triangle& triangle, const Aabb& box);
 
 /// True only where the triangle's surface certainly stays away from the closed box: such a triangle need not stand in a

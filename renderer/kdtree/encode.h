@@ -7,8 +7,8 @@
 
 namespace kd {
 
-/// Texel: x = flag, y = split or count, z = link, w = parent. Float holds integers exactly up to 2^24, so larger numbers
-/// are refused: InputError with the numbers.
+/// Texel: x = flag, y = split or count, z = link, w = parent. Float holds integers exactly up to 2^24, so larger
+/// numbers are refused: InputError with the numbers.
 [[nodiscard]] std::vector<Vec4> encode_float4(const KdTree& tree);
 [[nodiscard]] KdTree decode_float4(const std::vector<Vec4>& texels, std::vector<std::int32_t> references,
                                    const Aabb& bounds);

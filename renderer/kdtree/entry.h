@@ -28,14 +28,14 @@ struct SeenArea {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Where a configuration's primary rays begin: at the root; with TraceConfig::eye_leaf and ropes in the leaf of the eye (the
-/// entry nodes of Popov et al. 2007); with TraceConfig::entry_tile at each tile's shaft_entry(). `boxes` are node_boxes();
-/// asked for only where tiles are.
+/// Where a configuration's primary rays begin: at the root; with TraceConfig::eye_leaf and ropes in the leaf of the eye
+/// (the entry nodes of Popov et al. 2007); with TraceConfig::entry_tile at each tile's shaft_entry(). `boxes` are
+/// node_boxes(); asked for only where tiles are.
 [[nodiscard]] EntryPoints entry_points(const KdTree& tree, std::span<const Aabb> boxes, const TraceConfig& config,
                                        const SeenArea& area);
 
-/// Where an area's own shaft begins: Reshetov, Soupikov, Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005. The
-/// deepest node outside of which the shaft meets no leaf that holds a triangle; where it meets none, any leaf.
+/// Where an area's own shaft begins: Reshetov, Soupikov, Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
+/// The deepest node outside of which the shaft meets no leaf that holds a triangle; where it meets none, any leaf.
 [[nodiscard]] int shaft_entry(const KdTree& tree, std::span<const Aabb> boxes, const SeenArea& area);
 
 }  // namespace kd

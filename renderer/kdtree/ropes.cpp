@@ -6,7 +6,8 @@ namespace {
 
 std::size_t slot(int node, int face) { return std::size_t(node) * faces_of_a_cell + std::size_t(face); }
 
-/// What the ropes of a node are when its parent's lead where they do: its own but for the face that its sibling is behind.
+/// What the ropes of a node are when its parent's lead where they do: its own but for the face that its sibling is
+/// behind.
 void pass_down(std::vector<std::int32_t>& ropes, int parent, int child, int sibling_face, int sibling) {
     for (int face = 0; face < faces_of_a_cell; ++face) ropes[slot(child, face)] = ropes[slot(parent, face)];
     ropes[slot(child, sibling_face)] = sibling;

@@ -19,8 +19,8 @@ class SplitCost {
   public:
     SplitCost(const BuildConfig& config, const Aabb& cell, int axis);
 
-    /// t_t + (1 - b_e) * t_i * (p_A * N_A + p_B * N_B), where p is the share of the cell's surface area. The bonus b_e is
-    /// given where one side is empty and wide enough (BuildConfig::empty_bonus_gate).
+    /// t_t + (1 - b_e) * t_i * (p_A * N_A + p_B * N_B), where p is the share of the cell's surface area. The bonus b_e
+    /// is given where one side is empty and wide enough (BuildConfig::empty_bonus_gate).
     [[nodiscard]] double operator()(float position, int below, int above) const {
         const double width_below = double(position) - lower_;
         const double width_above = upper_ - double(position);

@@ -35,8 +35,8 @@ void sort_events(std::vector<SweepEvent>& events);
 /// their order from there on, so that a build takes O(N log N); after Wald & Havran, "On building fast kd-trees for ray
 /// tracing, and on doing that in O(N log N)", 2006.
 ///
-/// A cell's list leaves out starts at or before its lower face and ends at or after its upper face: a sweep counts those
-/// triangles as standing on that side from the outset.
+/// A cell's list leaves out starts at or before its lower face and ends at or after its upper face: a sweep counts
+/// those triangles as standing on that side from the outset.
 class SweepEvents {
   public:
     /// Sorts; a stop request leaves the lists of the remaining axes empty.

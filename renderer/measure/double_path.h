@@ -10,7 +10,8 @@
 namespace kd {
 
 /// The colours of a width x height frame with `bounces` reflections and shadows. `camera` is the one that the
-/// single-precision tracers got; `boxes`, those of the scene, make it quicker and nothing else. Incomplete where stopped.
+/// single-precision tracers got; `boxes`, those of the scene, make it quicker and nothing else. Incomplete where
+/// stopped.
 [[nodiscard]] Image<glm::dvec3> double_frame(const FlatScene& scene, const PinholeCamera& camera, int width, int height,
                                              int bounces, float least_contribution, int threads = 0,
                                              std::stop_token stop = {}, const TriangleBoxes* boxes = nullptr);

@@ -50,8 +50,8 @@ struct TileShape {
 /// Square and twice as wide as high, from 4 to 1024 lanes: each is made of whole ones of those before it.
 [[nodiscard]] std::span<const TileShape> width_curve();
 
-/// Every schedule at every shape of `tiles`, all from one walk. The largest, which comes last, must be made of whole ones of
-/// each of the others. Nothing where stopped.
+/// Every schedule at every shape of `tiles`, all from one walk. The largest, which comes last, must be made of whole
+/// ones of each of the others. Nothing where stopped.
 [[nodiscard]] std::optional<DivergenceReport> measure_divergence(WalkRequest request, std::span<const TileShape> tiles,
                                                                  std::stop_token stop = {},
                                                                  const std::function<void(float)>& progress = {});

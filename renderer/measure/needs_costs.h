@@ -26,9 +26,9 @@ struct FeatureTime {
 /// Traces a frame with these features put back.
 using ForcedFrame = std::function<TimeSample(FeatureSet)>;
 
-/// `rounds` rounds of time_in_turn(); each takes a frame without and one with each feature. Before every frame that counts
-/// the same is traced once: tables, targets and programs that come and go with a feature are no part of its time. `progress` gets
-/// the fraction done; where it returns false the rest is left out and the result is empty.
+/// `rounds` rounds of time_in_turn(); each takes a frame without and one with each feature. Before every frame that
+/// counts the same is traced once: tables, targets and programs that come and go with a feature are no part of its
+/// time. `progress` gets the fraction done; where it returns false the rest is left out and the result is empty.
 [[nodiscard]] std::vector<FeatureTime> time_features(const std::vector<Feature>& features, const ForcedFrame& frame,
                                                      int rounds, const std::function<bool(float)>& progress = {});
 

@@ -14,11 +14,13 @@
 
 namespace kd {
 
-/// Nearest hits of single-precision rays among single-precision triangles, computed in double. Incomplete where stopped.
+/// Nearest hits of single-precision rays among single-precision triangles, computed in double. Incomplete where
+/// stopped.
 [[nodiscard]] std::vector<f64::Hit> double_brute_force(const FlatScene& scene, std::span<const Ray> rays,
                                                        int threads = 0, std::stop_token stop = {});
 
-/// What double_brute_force() answers, to the last bit, in the time of a tree. Made once per scene, which must outlive it.
+/// What double_brute_force() answers, to the last bit, in the time of a tree. Made once per scene, which must outlive
+/// it.
 class DoubleOracle {
   public:
     explicit DoubleOracle(const FlatScene& scene) : scene_(scene), boxes_(scene.triangles) {}
@@ -40,8 +42,8 @@ struct HitError {
     double ulps = 0;  // as JudgedHit::ulps
 };
 
-/// How a hit differs from the double's. Another triangle at a distance within `tie_ulps` is a tie, no fault; so is another
-/// answer where an edge is closer than `margin` in barycentrics. t is wrong above `most_ulps`.
+/// How a hit differs from the double's. Another triangle at a distance within `tie_ulps` is a tie, no fault; so is
+/// another answer where an edge is closer than `margin` in barycentrics. t is wrong above `most_ulps`.
 struct HitJudge {
     double most_ulps = 64, tie_ulps = 64, margin = 1e-5;
     [[nodiscard]] HitError judge(const Hit& found, const f64::Hit& exact) const;

@@ -28,8 +28,8 @@ auto with_kernel(const FlatScene& scene, const Use& use) {
     return use(kernel);
 }
 
-/// The loop over all triangles, but for those whose boxes the ray does not come near. No hit ends it early: which triangle
-/// wins must not hang on how well t was computed.
+/// The loop over all triangles, but for those whose boxes the ray does not come near. No hit ends it early: which
+/// triangle wins must not hang on how well t was computed.
 Hit nearest_by_boxes(PlainKernel& kernel, const TriangleBoxes& boxes, const Ray& ray) {
     const auto s = kernel.setup_ray(ray);
     Hit hit = kernel.no_hit(ray);

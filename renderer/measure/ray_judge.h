@@ -5,8 +5,8 @@
 
 namespace kd {
 
-/// What a walk that answered `ray` with `found` and ended for `exit_reason` is worth; `exact` is oracle.nearest(ray). As
-/// HitJudge says, but
+/// What a walk that answered `ray` with `found` and ended for `exit_reason` is worth; `exact` is oracle.nearest(ray).
+/// As HitJudge says, but
 /// - a walk that was given up is unfinished, whatever it found;
 /// - where an edge is passed so closely that either answer might do, the loop over all triangles in single precision
 ///   decides: a hit that it has and the walk has not is missed, at edges too;

@@ -40,7 +40,8 @@ class RayMachine {
 /// ContextError where there is no such context.
 [[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind);
 
-/// Those of `kinds` that there are; of each other a note: "gl-fragment on egl not checked: why", with `undone` for "checked".
+/// Those of `kinds` that there are; of each other a note: "gl-fragment on egl not checked: why", with `undone` for
+/// "checked".
 [[nodiscard]] std::vector<std::unique_ptr<RayMachine>>
 gl_machines(std::span<const ContextKind> kinds, std::string_view undone, std::vector<std::string>& notes);
 

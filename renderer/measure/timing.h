@@ -70,8 +70,8 @@ struct TimingPlan {
 /// Told after each round of all contestants: how many rounds are done, and all that was measured.
 using RoundDone = std::function<void(int rounds, std::span<const TimedRounds> so_far)>;
 
-/// Runs every contestant `warmup` times, then all of them in turn, in one order and the reverse of it by turns, so that a
-/// machine that grows slower favours nobody.
+/// Runs every contestant `warmup` times, then all of them in turn, in one order and the reverse of it by turns, so that
+/// a machine that grows slower favours nobody.
 [[nodiscard]] std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
                                                     const RoundDone& round_done = {});
 

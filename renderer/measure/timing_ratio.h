@@ -21,9 +21,9 @@ struct MedianInterval {
 };
 
 /// The sign test's interval: the k-th least and the k-th largest value, with the largest k for which a fair coin shows
-/// fewer than k heads or fewer than k tails in n throws at most 5 % of the time. Asks nothing of the distribution but that
-/// samples are independent; 6 samples are the least that reach 95 % (then it is all of them: 96.9 %). With fewer it is
-/// all of them, and `confidence` says what that is worth. Values that are not finite are left out.
+/// fewer than k heads or fewer than k tails in n throws at most 5 % of the time. Asks nothing of the distribution but
+/// that samples are independent; 6 samples are the least that reach 95 % (then it is all of them: 96.9 %). With fewer
+/// it is all of them, and `confidence` says what that is worth. Values that are not finite are left out.
 [[nodiscard]] MedianInterval median_interval(std::vector<double> values);
 
 /// A number that needs no statistics, such as a sum of counters.
@@ -33,8 +33,8 @@ struct MedianInterval {
 /// which either was not measured (not above 0) are left out.
 [[nodiscard]] MedianInterval ratio_interval(std::span<const double> over, std::span<const double> under);
 
-/// What an interval of ratios shows: nothing at all, too little for 95 %, no difference (it holds 1), or on which side of 1 it
-/// lies.
+/// What an interval of ratios shows: nothing at all, too little for 95 %, no difference (it holds 1), or on which side
+/// of 1 it lies.
 enum class RatioVerdict { none, too_few, no_difference, below, above };
 [[nodiscard]] RatioVerdict verdict_of(const MedianInterval& ratio);
 

@@ -18,8 +18,8 @@ class TriangleBoxes {
     explicit TriangleBoxes(std::span<const Triangle> triangles);
 
     /// Calls `test(triangle)` for every triangle whose box, widened by `slack`, origin + t*direction meets at a t below
-    /// `limit()`, nearer boxes first. `inverse` is 1/direction, and 0 on an axis along which the ray does not get away from
-    /// its origin by as much as `slack` within the scene. `limit` is asked anew for each box.
+    /// `limit()`, nearer boxes first. `inverse` is 1/direction, and 0 on an axis along which the ray does not get away
+    /// from its origin by as much as `slack` within the scene. `limit` is asked anew for each box.
     template <class Test, class Limit>
     void visit(const f64::real3& origin, const f64::real3& inverse, double slack, const Limit& limit,
                const Test& test) const;

@@ -55,7 +55,8 @@ struct VerifyReport {
     [[nodiscard]] bool passed() const;
 };
 
-/// Rays that hurt: at vertices and edges, axis-parallel with +0 and -0, in split planes, from on planes, grazing, from hits.
+/// Rays that hurt: at vertices and edges, axis-parallel with +0 and -0, in split planes, from on planes, grazing, from
+/// hits.
 [[nodiscard]] std::vector<Ray> adversarial_rays(const FlatScene& scene, const KdTree& tree, int count, unsigned seed);
 
 /// `progress` gets the fraction done and what is being checked.

@@ -35,9 +35,9 @@ struct BlockWalks {
     }
 };
 
-/// Hands every block to `consume`, which is called from several threads, for different blocks, and lets go of it after: only as
-/// many blocks as threads are held. False where stopped before the end. `progress` gets the fraction done, from several
-/// threads too.
+/// Hands every block to `consume`, which is called from several threads, for different blocks, and lets go of it after:
+/// only as many blocks as threads are held. False where stopped before the end. `progress` gets the fraction done, from
+/// several threads too.
 bool record_walks(const WalkRequest& request, const std::function<void(const BlockWalks&)>& consume,
                   std::stop_token stop = {}, const std::function<void(float)>& progress = {});
 

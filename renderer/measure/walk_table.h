@@ -20,8 +20,8 @@ struct WalkVariant {
     std::string published;  // interior visits over the stack's in the literature, with whose they are; may be empty
 };
 
-/// Stack, the same from entry points, kd-restart, push-down, short stacks of 1, 2, 4 and 8 entries, kd-backtrack, ropes plain, optimised, and from the
-/// leaf of the eye. All else is as in `base`.
+/// Stack, the same from entry points, kd-restart, push-down, short stacks of 1, 2, 4 and 8 entries, kd-backtrack, ropes
+/// plain, optimised, and from the leaf of the eye. All else is as in `base`.
 [[nodiscard]] std::vector<WalkVariant> walk_variants(const TraceConfig& base);
 
 struct WalkRow {

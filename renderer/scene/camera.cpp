@@ -13,8 +13,8 @@ namespace {
 
 bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// `up`, or where it is zero or parallel to the view a replacement: the y axis, or the z axis for views along y, with -z
-/// at the top of the image when looking down.
+/// `up`, or where it is zero or parallel to the view a replacement: the y axis, or the z axis for views along y, with
+/// -z at the top of the image when looking down.
 glm::dvec3 usable_up(glm::dvec3 forward, glm::dvec3 up) {
     const double length = glm::length(up);
     if (length > 0.0 && glm::length(glm::cross(forward, up / length)) > 1e-6) return up;
@@ -47,7 +47,8 @@ Camera fit_camera(const Aabb& bounds) {
     const glm::dvec3 lower(bounds.lower);
     const glm::dvec3 upper(bounds.upper);
     const glm::dvec3 centre = 0.5 * (lower + upper);
-    // Eye and target must stay apart when rounded to float, also for a single point and for a speck far from the origin.
+    // Eye and target must stay apart when rounded to float, also for a single point and for a speck far from the
+    // origin.
     const double magnitude = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
     double radius = std::max(0.5 * glm::length(upper - lower), 1e-6 * magnitude);
     if (radius < 1e-30) radius = 1.0;

@@ -14,8 +14,8 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// Vectors for shaders/shared/camera.glsl, computed in double; `forward` has length 1. An `up` that is zero or parallel to
-/// the view direction is replaced. InputError where the camera is not valid or the image has no pixels.
+/// Vectors for shaders/shared/camera.glsl, computed in double; `forward` has length 1. An `up` that is zero or parallel
+/// to the view direction is replaced. InputError where the camera is not valid or the image has no pixels.
 [[nodiscard]] PinholeCamera pinhole(const Camera& camera, int width, int height);
 
 /// A camera that sees the whole box from (1, 0.7, 1.4) off its centre, in images at least as wide as high. The default

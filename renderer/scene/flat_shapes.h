@@ -13,7 +13,8 @@ void add_patch(Mesh& mesh, Vec3 corner, Vec3 u, Vec3 v, int columns = 1, int row
 enum BoxFace : unsigned { box_left = 1, box_right = 2, box_bottom = 4, box_top = 8, box_back = 16, box_front = 32 };
 inline constexpr unsigned all_box_faces = 63;
 
-/// Left to right is x, bottom to top y, back to front z, before the box is turned about the vertical through its centre.
+/// Left to right is x, bottom to top y, back to front z, before the box is turned about the vertical through its
+/// centre.
 struct BoxShape {
     Vec3 lower{0.0f};
     Vec3 upper{1.0f};

@@ -87,8 +87,8 @@ struct FeatureInfo {
 /// Why `feature` is not in use, part of a sentence; empty where it is: needed, or put back.
 [[nodiscard]] std::string why_left_out(Feature feature, const SceneFacts& facts, const TraceConfig& config);
 
-/// One line for each feature that the machine does without: "RTRefl, ShadeRefl: no reflective material". What only programs
-/// of the GPU can leave out is no such line where the CPU traces.
+/// One line for each feature that the machine does without: "RTRefl, ShadeRefl: no reflective material". What only
+/// programs of the GPU can leave out is no such line where the CPU traces.
 [[nodiscard]] std::vector<std::string> left_out(const SceneFacts& facts, const TraceConfig& config, bool on_cpu);
 
 }  // namespace kd

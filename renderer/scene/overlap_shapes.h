@@ -11,8 +11,8 @@ namespace kd {
 /// The six faces of a box, two triangles each.
 [[nodiscard]] std::vector<Triangle> box_faces(const Aabb& box);
 
-/// n triangles across the unit cube: from one corner to the opposite one by way of a third, each coordinate moved inwards by
-/// up to `jitter`.
+/// n triangles across the unit cube: from one corner to the opposite one by way of a third, each coordinate moved
+/// inwards by up to `jitter`.
 [[nodiscard]] std::vector<Triangle> cube_spanning(int n, float jitter, Random& random);
 
 /// n boxes between two random points of the unit cube each, 12 triangles a box.

@@ -19,8 +19,8 @@ namespace kd {
 /// What a surface without a material gets.
 [[nodiscard]] Material default_material();
 
-/// The light of a scene that has none: a point light beside the camera, 0.2 of the viewing distance to the right and 0.3
-/// upwards, so that surfaces are shaded and shadows seen.
+/// The light of a scene that has none: a point light beside the camera, 0.2 of the viewing distance to the right and
+/// 0.3 upwards, so that surfaces are shaded and shadows seen.
 [[nodiscard]] Light default_light(const Camera& camera);
 
 /// Adds the mesh with a material of its own, called as the mesh is, where it stands.

@@ -1,5 +1,5 @@
-// The list of procedural scenes. A new scene is a file of its own, scene_NAME.cpp, that defines kd::NAME_scene(), and one
-// line here.
+// The list of procedural scenes. A new scene is a file of its own, scene_NAME.cpp, that defines kd::NAME_scene(), and
+// one line here.
 #pragma once
 
 #include "renderer/scene/procedural.h"

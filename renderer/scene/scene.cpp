@@ -76,7 +76,8 @@ class Flattener {
         }
     }
 
-    /// After all instances: brings the triangles to internal units, and drops those whose tests would underflow in them.
+    /// After all instances: brings the triangles to internal units, and drops those whose tests would underflow in
+    /// them.
     void finish() {
         rescale(flat_);
         std::size_t kept = 0;

@@ -8,7 +8,8 @@
 
 namespace kd {
 
-/// A flat scene of these triangles, all of them, in internal units (units.h): one grey material, one light, geometric normals, a fitted camera.
+/// A flat scene of these triangles, all of them, in internal units (units.h): one grey material, one light, geometric
+/// normals, a fitted camera.
 [[nodiscard]] FlatScene bare_scene(std::vector<Triangle> triangles);
 
 /// A point with each coordinate in [low, high).

@@ -1,9 +1,10 @@
 // Scene units and internal units.
 //
-// Triangle tests multiply three lengths, so in single precision a scene of size 2^-40 underflows and one of 2^50 overflows.
-// A scene whose largest coordinate lies outside 2^-16..2^16 is therefore kept scaled by an exact power of two:
-// scene units = internal units * 2^FlatScene::exponent. Everything in a FlatScene, its tree, and what traces them is in
-// internal units; who takes lengths from people or shows them converts here. Directions are the same in both, t is a length.
+// Triangle tests multiply three lengths, so in single precision a scene of size 2^-40 underflows and one of 2^50
+// overflows. A scene whose largest coordinate lies outside 2^-16..2^16 is therefore kept scaled by an exact power of
+// two: scene units = internal units * 2^FlatScene::exponent. Everything in a FlatScene, its tree, and what traces them
+// is in internal units; who takes lengths from people or shows them converts here. Directions are the same in both, t
+// is a length.
 #pragma once
 
 #include "renderer/scene/scene.h"

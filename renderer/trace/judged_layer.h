@@ -11,8 +11,8 @@
 
 namespace kd {
 
-/// True for rays whose nearest hit a frame holds: primary rays, and reflections at their first bounce. Shadow rays stop at
-/// the first triangle found.
+/// True for rays whose nearest hit a frame holds: primary rays, and reflections at their first bounce. Shadow rays stop
+/// at the first triangle found.
 [[nodiscard]] constexpr bool has_nearest_hits(Pass rays) { return rays == Pass::rt_prim || rays == Pass::rt_refl; }
 
 /// How a hit compares with the exact one. `tie`: another answer than the exact one where neither is wrong (another
@@ -41,8 +41,8 @@ inline constexpr std::array<std::string_view, verdict_count> verdict_names{
 
 struct JudgedHit {
     HitVerdict verdict = HitVerdict::none;
-    /// Error of t in units in the last place of the exact one; infinite where only one of the two hit or the walk was given
-    /// up, 0 where both missed.
+    /// Error of t in units in the last place of the exact one; infinite where only one of the two hit or the walk was
+    /// given up, 0 where both missed.
     double ulps = 0;
     f64::Hit exact{-1, 0.0, 0.0, 0.0};
 };

@@ -125,7 +125,8 @@ struct Read {
     std::uint32_t node;
 };
 
-/// Those of one walk, whose steps begin with iteration `first`; for Schedule::while_while its phases begin where `starts` says.
+/// Those of one walk, whose steps begin with iteration `first`; for Schedule::while_while its phases begin where
+/// `starts` says.
 void add_reads(const Walk& walk, Schedule schedule, std::uint64_t first, std::span<const std::uint64_t> starts,
                std::vector<Read>& reads) {
     std::uint64_t step = first, in_phase = 0;

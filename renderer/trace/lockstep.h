@@ -1,7 +1,7 @@
 // Groups of rays in lockstep: how many iterations a machine of W lanes makes, and how many of its lanes work in them.
 //
-// docs/divergence.md defines the numbers (there D1 to D8). All are sums of integers, so that a machine that counts its own
-// lanes must come to the very same ones.
+// docs/divergence.md defines the numbers (there D1 to D8). All are sums of integers, so that a machine that counts its
+// own lanes must come to the very same ones.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct NodeReads {
     NodeReads& operator+=(const NodeReads& more);
     bool operator==(const NodeReads&) const = default;
 
-    /// (lanes - nodes) / (lanes - iterations): 1 where lanes that read together read one node, 0 where each reads its own.
-    /// NaN where no two lanes ever read together.
+    /// (lanes - nodes) / (lanes - iterations): 1 where lanes that read together read one node, 0 where each reads its
+    /// own. NaN where no two lanes ever read together.
     [[nodiscard]] double coherence() const;
 };
 

@@ -19,16 +19,16 @@ struct LockstepGroup {
     bool operator==(const LockstepGroup&) const = default;
 };
 
-/// The rays of one pass under one schedule in groups of one shape. Groups begin at the upper left corner; lanes beyond the
-/// picture's edge are there, and idle.
+/// The rays of one pass under one schedule in groups of one shape. Groups begin at the upper left corner; lanes beyond
+/// the picture's edge are there, and idle.
 struct LockstepLayer {
     Pass rays = Pass::rt_prim;
     Schedule schedule = Schedule::while_while;
     int tile_width = 8, tile_height = 4;
     std::vector<LockstepGroup> groups;  // row by row
     Image<std::int64_t> steps;          // of each pixel's rays; -1 where it has none
-    /// Interior visits over those of the same rays with a stack; NaN where there are none, infinite where the two walks hit
-    /// differently.
+    /// Interior visits over those of the same rays with a stack; NaN where there are none, infinite where the two walks
+    /// hit differently.
     Image<float> overhead;
     std::int64_t unlike_hits = 0;  // pixels where they do
     double whole_overhead = 0;     // of the sums over all pixels; 0 without any

@@ -11,7 +11,8 @@ namespace kd {
 /// lockstep:    every lane makes its next step, whatever it is; rays of a pixel follow each other without waiting.
 /// if_if:       one loop; an iteration makes every lane's next step, first the interior ones, then those at leaves, and
 ///              costs one for each of the two kinds that is there.
-/// while_while: two loops inside of one; interior steps until no lane has one next, then leaf visits and triangle tests until
+/// while_while: two loops inside of one; interior steps until no lane has one next, then leaf visits and triangle tests
+/// until
 ///              none has one next.
 /// The last two begin each round of rays together, as a shader does.
 enum class Schedule { lockstep, if_if, while_while };

@@ -27,8 +27,8 @@ class Walk {
     [[nodiscard]] const std::vector<StepRun>& runs() const { return runs_; }
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::uint64_t interior_steps() const;
-    /// Lengths of its phases, in turn: steps at interior nodes (perhaps 0), steps at leaves (visits and tests), steps at
-    /// interior nodes, ...
+    /// Lengths of its phases, in turn: steps at interior nodes (perhaps 0), steps at leaves (visits and tests), steps
+    /// at interior nodes, ...
     [[nodiscard]] std::vector<std::uint32_t> phases() const;
 
     bool operator==(const Walk&) const = default;

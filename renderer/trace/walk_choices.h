@@ -1,4 +1,5 @@
-// What a walk can be told beside its name, and which walks have no use for it: one table for notes, controls and captions.
+// What a walk can be told beside its name, and which walks have no use for it: one table for notes, controls and
+// captions.
 #pragma once
 
 #include <string>

@@ -17,7 +17,8 @@ class Clicking : public testing::Test {
         queue.add({button, true, 10, 20, seconds, late});
         queue.add({button, false, 11, 20, seconds, late});
     }
-    /// Each frame: d or u for a change of the left button, D for the second press of a double click, r for the right one.
+    /// Each frame: d or u for a change of the left button, D for the second press of a double click, r for the right
+    /// one.
     std::string frames() {
         std::string text;
         while (!queue.empty()) {

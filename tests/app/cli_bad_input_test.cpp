@@ -1,5 +1,5 @@
-// Bad command lines, by the numbers of docs/stability.md, "Bad input"; each ends with exit code 2, in one line, before any
-// work. C09, C11 and C12 need the program itself: tests/e2e/cli_files.sh and cli_interrupt.sh.
+// Bad command lines, by the numbers of docs/stability.md, "Bad input"; each ends with exit code 2, in one line, before
+// any work. C09, C11 and C12 need the program itself: tests/e2e/cli_files.sh and cli_interrupt.sh.
 
 #include <fstream>
 #include <nlohmann/json.hpp>

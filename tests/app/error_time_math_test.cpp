@@ -126,8 +126,8 @@ TEST(ImageError, SamplesAreAveragedInDouble) {
 TEST(FlipError, NothingBetweenEqualImages) { EXPECT_EQ(Flip(checked(24, 16)).mean(checked(24, 16)), 0); }
 
 TEST(FlipError, BlackToWhiteIsWhatThePaperDefines) {
-    // Neither filters nor features act on plain images: |L - L'| = 100, then the paper's map of errors. The largest distance
-    // is between green and blue: L* = 87.73 and 32.30, a* and b* after Hunt's adjustment.
+    // Neither filters nor features act on plain images: |L - L'| = 100, then the paper's map of errors. The largest
+    // distance is between green and blue: L* = 87.73 and 32.30, a* and b* after Hunt's adjustment.
     const double found = Flip(plain(16, 16, glm::dvec3(0))).mean(plain(16, 16, glm::dvec3(1)));
     const glm::dvec3 green(87.7350, 0.877350 * -86.1829, 0.877350 * 83.1795);
     const glm::dvec3 blue(32.3009, 0.323009 * 79.1952, 0.323009 * -107.8554);

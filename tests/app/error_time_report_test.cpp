@@ -200,7 +200,8 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
             EXPECT_NEAR(row.line_cost_ratio(), 1, 0.05) << name << ' ' << row.name();
             EXPECT_NEAR(row.line_interior_ratio(), 1, 0.05) << name << ' ' << row.name();
             EXPECT_NEAR(row.line_test_ratio(), 1, 0.05) << name << ' ' << row.name();
-            // Surfaces stop camera rays early, but where there are gaps they cross more than a line that enters anywhere.
+            // Surfaces stop camera rays early, but where there are gaps they cross more than a line that enters
+            // anywhere.
             const double paid = row.cost_per_ray[0] / row.stats.sah_cost;
             // Planes at medians leave fewer gaps to cross.
             EXPECT_GT(paid, dense ? 0.3 : 1.0) << name << ' ' << row.name();

@@ -1,5 +1,5 @@
-// What robustness costs: the stack traversal under the robust rules against the published ones, same triangle test, same
-// primary rays, one thread, in turn.
+// What robustness costs: the stack traversal under the robust rules against the published ones, same triangle test,
+// same primary rays, one thread, in turn.
 //
 // usage: robustness_bench [ROUNDS] [SCENE...]      default 25 rounds of ball:9000 and scatter:10000
 

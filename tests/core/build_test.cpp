@@ -213,8 +213,8 @@ TEST(Build, IdenticalTrianglesStayInOneLeaf) {
     }
 }
 
-/// Interior nodes of which at least `share` of the cell, from one face on, lies before or behind all of their triangles,
-/// and how many of these have an empty leaf for a child.
+/// Interior nodes of which at least `share` of the cell, from one face on, lies before or behind all of their
+/// triangles, and how many of these have an empty leaf for a child.
 std::pair<int, int> emptied(const KdTree& tree, const std::vector<Triangle>& triangles, double share) {
     const std::vector<Aabb> cells = node_boxes(tree);
     std::vector<Aabb> covered(tree.nodes.size());

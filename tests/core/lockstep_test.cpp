@@ -112,7 +112,8 @@ TEST(Lockstep, AGroupWithoutRaysHasNoEfficiency) {
 }
 
 TEST(NodeReads, CountsNodesSectorsAndLines) {
-    // Iteration 0: node 0 by both. 1: nodes 2 and 3, one sector. 2: 4 and 9, two lines. 3: a leaf and a triangle, one read.
+    // Iteration 0: node 0 by both. 1: nodes 2 and 3, one sector. 2: 4 and 9, two lines. 3: a leaf and a triangle, one
+    // read.
     const Group group({pixel_of({walk_of("IIILT", {0, 2, 4, 20})}), pixel_of({walk_of("IIILTT", {0, 3, 9, 20})})});
     for (const Schedule schedule : {Schedule::lockstep, Schedule::while_while}) {
         const NodeReads reads = group.reads(schedule);

@@ -84,7 +84,8 @@ TEST(PaperBuilder, NoSplitThatPays) {
 }
 
 TEST(PaperBuilder, LongestAxisIsTakenWhereItServes) {
-    // Ten triangles low and left, ten high and right, one that spans x: y separates them better, x is longer and serves.
+    // Ten triangles low and left, ten high and right, one that spans x: y separates them better, x is longer and
+    // serves.
     std::vector<Triangle> triangles(10, test::triangle_filling({0, 0, 0}, {0.9f, 0.1f, 1}));
     triangles.insert(triangles.end(), 10, test::triangle_filling({1.1f, 1.8f, 0}, {2, 1.9f, 1}));
     triangles.push_back(test::triangle_filling({0, 1.8f, 0}, {2, 1.9f, 1}));

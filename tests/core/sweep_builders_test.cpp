@@ -21,7 +21,8 @@ double cost_of(const std::vector<Triangle>& triangles, BuildConfig config, const
 }
 
 TEST(ExactBuilder, TakesTheBestAxisNotTheLongest) {
-    // Ten triangles low and left, ten high and right, one that spans x: y separates them better, x is longer and serves.
+    // Ten triangles low and left, ten high and right, one that spans x: y separates them better, x is longer and
+    // serves.
     std::vector<Triangle> triangles(10, test::triangle_filling({0, 0, 0}, {0.9f, 0.1f, 1}));
     triangles.insert(triangles.end(), 10, test::triangle_filling({1.1f, 1.8f, 0}, {2, 1.9f, 1}));
     triangles.push_back(test::triangle_filling({0, 1.8f, 0}, {2, 1.9f, 1}));
@@ -31,8 +32,8 @@ TEST(ExactBuilder, TakesTheBestAxisNotTheLongest) {
 }
 
 TEST(ExactBuilder, CutsTrianglesByTheirPartInTheCell) {
-    // In the square [0, 2]^2, A fills the half below its diagonal and B the corner beyond x, y = 1.5. Right of x = 1.5, A
-    // ends at y = 0.5, so that a cut there or at B's start parts the two; by its box it would stand beside B.
+    // In the square [0, 2]^2, A fills the half below its diagonal and B the corner beyond x, y = 1.5. Right of x = 1.5,
+    // A ends at y = 0.5, so that a cut there or at B's start parts the two; by its box it would stand beside B.
     const Triangle a{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)}};
     const Triangle b{{Vec3(2, 2, 0), Vec3(1.5f, 2, 0), Vec3(2, 1.5f, 0)}};
     const BuildConfig config{.builder = "exact", .intersection_cost = 4.0f, .leaf_size = 1, .trim_leaves = false};

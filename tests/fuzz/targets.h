@@ -1,5 +1,5 @@
-// What is fuzzed: one function per format that takes any bytes. Each returns where the bytes were read or refused as they
-// should be, and throws std::logic_error where a promise is broken; a sanitizer ends the program for all else.
+// What is fuzzed: one function per format that takes any bytes. Each returns where the bytes were read or refused as
+// they should be, and throws std::logic_error where a promise is broken; a sanitizer ends the program for all else.
 #pragma once
 
 #include <string_view>

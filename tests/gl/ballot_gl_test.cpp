@@ -1,5 +1,5 @@
-// Lanes counted by the machine against lanes computed: on a software renderer, whose groups nothing else decides, they are
-// the same integers.
+// Lanes counted by the machine against lanes computed: on a software renderer, whose groups nothing else decides, they
+// are the same integers.
 
 #include <algorithm>
 #include <cstdlib>

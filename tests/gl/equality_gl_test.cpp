@@ -78,8 +78,8 @@ Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
     return difference;
 }
 
-/// llvmpipe divides and takes roots as C++ does. GPUs may be 2.5 ulp off in a division (GLSL 4.60, section 4.7.1), which
-/// turns a ray at an edge to the neighbour now and then, and mirror rays a little more often.
+/// llvmpipe divides and takes roots as C++ does. GPUs may be 2.5 ulp off in a division (GLSL 4.60, section 4.7.1),
+/// which turns a ray at an edge to the neighbour now and then, and mirror rays a little more often.
 void expect_equal(const Frame& cpu, const Frame& gl, bool software) {
     ASSERT_EQ(cpu.width, gl.width);
     ASSERT_EQ(cpu.height, gl.height);

@@ -65,7 +65,8 @@ TEST(JudgeFrame, PublishedRulesHaveWrongPixels) {
     EXPECT_GT(count(rooms.judge(rooms.trace(endless)), HitVerdict::unfinished), 1000);
 }
 
-/// Where a walk loses a hit at an edge, single precision is no excuse: brute force with the same triangle test finds it.
+/// Where a walk loses a hit at an edge, single precision is no excuse: brute force with the same triangle test finds
+/// it.
 TEST(JudgeFrame, AHoleAtAnEdgeIsNoTie) {
     Judged cornell("cornell");
     const Frame frame = cornell.trace({.rules = Rules::as_published});

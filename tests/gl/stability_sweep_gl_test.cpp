@@ -62,7 +62,8 @@ TEST(Sweeps, MakeScenesRaysAndCamerasAtEveryValue) {
         }
 }
 
-/// What the cases are held against passes over triangles by their boxes: no bit may hang on it, however stiff the scene.
+/// What the cases are held against passes over triangles by their boxes: no bit may hang on it, however stiff the
+/// scene.
 TEST(Sweeps, TheBoxesChangeNoAnswerOfTheLoop) {
     for (const Sweep& sweep : sweeps())
         for (const double value : {sweep.values.front(), sweep.values[sweep.values.size() / 2], sweep.values.back()}) {

@@ -1,4 +1,5 @@
-// How long a walk may be on OpenGL: what the limits promise, what a driver does that ends loops on its own, and that it is told.
+// How long a walk may be on OpenGL: what the limits promise, what a driver does that ends loops on its own, and that it
+// is told.
 #include <algorithm>
 #include <optional>
 
@@ -28,8 +29,8 @@ struct Walks {
     explicit Walks(std::size_t count) : hits(count), counters(count) {}
 };
 
-/// A speck in a room: the larger the room, the more cells around the speck are closer to a ray than single precision can
-/// tell, and the longer are the walks that visit them all.
+/// A speck in a room: the larger the room, the more cells around the speck are closer to a ray than single precision
+/// can tell, and the longer are the walks that visit them all.
 class Speck {
   public:
     explicit Speck(const char* name)

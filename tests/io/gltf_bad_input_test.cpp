@@ -1,5 +1,5 @@
-// Bad files that are refused, by the numbers of docs/stability.md, "Bad input". What only one value of the JSON makes bad
-// is in gltf_error_test.cpp; what a format's own tests cover stays there under its number.
+// Bad files that are refused, by the numbers of docs/stability.md, "Bad input". What only one value of the JSON makes
+// bad is in gltf_error_test.cpp; what a format's own tests cover stays there under its number.
 #include "tests/io/gltf_samples.h"
 
 namespace kd {

@@ -1,5 +1,5 @@
-// Bad files that load all the same, with what was dropped or replaced counted and told. Numbers as in docs/stability.md,
-// "Bad input".
+// Bad files that load all the same, with what was dropped or replaced counted and told. Numbers as in
+// docs/stability.md, "Bad input".
 #include <algorithm>
 #include <cmath>
 #include <limits>

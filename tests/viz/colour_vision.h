@@ -46,8 +46,8 @@ inline Triple lab(const Triple& rgb) {
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-/// What remains of a colour in deuteranopia (Machado, Oliveira & Fernandes, "A Physiologically-based Model for Simulation
-/// of Color Vision Deficiency", 2009, severity 1).
+/// What remains of a colour in deuteranopia (Machado, Oliveira & Fernandes, "A Physiologically-based Model for
+/// Simulation of Color Vision Deficiency", 2009, severity 1).
 inline Triple without_green_cones(const Triple& rgb) {
     constexpr std::array<Triple, 3> model{
         {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};

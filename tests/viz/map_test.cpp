@@ -146,8 +146,8 @@ TEST(Map, TilesHold4To1024Pixels) {
     }
 }
 
-// Counters are integers, and a quotient of two is rounded alike everywhere: every byte must be the same. Only a distance
-// is the result of longer calculations.
+// Counters are integers, and a quotient of two is rounded alike everywhere: every byte must be the same. Only a
+// distance is the result of longer calculations.
 TEST(MapGolden, EveryMap) {
     for (const MapInfo& info : maps()) {
         const MapConfig config{.map = std::string(info.name)};

@@ -1,4 +1,5 @@
-// The maps of groups' walks. What the walks are is tested in tests/core/lockstep_test.cpp and tests/gl/frame_walks_gl_test.cpp.
+// The maps of groups' walks. What the walks are is tested in tests/core/lockstep_test.cpp and
+// tests/gl/frame_walks_gl_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

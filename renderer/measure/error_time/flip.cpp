@@ -110,8 +110,8 @@ Plane filtered(const Plane& plane, Size size, const Filter& along_x, const Filte
     return pass(pass(plane, along_x, true), along_y, false);
 }
 
-/// a * sqrt(pi / b) * exp(-(pi x)^2 / b), x in degrees: the eye's sensitivity to contrast in one channel (table 1 of the
-/// paper), as sums of two.
+/// a * sqrt(pi / b) * exp(-(pi x)^2 / b), x in degrees: the eye's sensitivity to contrast in one channel (table 1 of
+/// the paper), as sums of two.
 struct Sensitivity {
     double a[2], b[2];
 };

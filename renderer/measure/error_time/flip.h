@@ -15,8 +15,8 @@ namespace kd {
 /// A display 0.7 m wide with 3840 pixels, seen from 0.7 m: the paper's.
 inline constexpr double flip_pixels_per_degree = 67.0206;
 
-/// Images seen against one reference, whose share of the work is done once. Colours are sRGB as displayed; what lies outside
-/// 0..1 is clipped.
+/// Images seen against one reference, whose share of the work is done once. Colours are sRGB as displayed; what lies
+/// outside 0..1 is clipped.
 class Flip {
   public:
     explicit Flip(const Image<glm::dvec3>& reference, double pixels_per_degree = flip_pixels_per_degree);

@@ -46,8 +46,8 @@ class Stage {
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const HitAnswer& found = answers[i];
             SweepFault fault = judge_->judge(i, found.triangle, found.t);
-            // The loop over all triangles must not know better: with the watertight test whether there is a hit, with the
-            // method's own where.
+            // The loop over all triangles must not know better: with the watertight test whether there is a hit, with
+            // the method's own where.
             if (found.triangle < 0 && best_loop[i].triangle >= 0) fault.missed = true;
             if (found.triangle >= 0 && found.t != own_loop[i].t) fault.wrong = true;
             ++row.n;

@@ -34,8 +34,8 @@ struct ImagePlan {
     double predicted_seconds = 0;
 };
 
-/// The best plan that is predicted to end within `seconds`: its frames' times by the methods and by double precision are
-/// given in ms for `probe_pixels` pixels. The cheapest plan where none fits.
+/// The best plan that is predicted to end within `seconds`: its frames' times by the methods and by double precision
+/// are given in ms for `probe_pixels` pixels. The cheapest plan where none fits.
 [[nodiscard]] ImagePlan plan_images(double seconds, const std::vector<double>& method_ms, double reference_ms,
                                     int probe_pixels);
 
@@ -85,7 +85,8 @@ struct ImageTask {
                                         const std::function<void(float, const std::string&)>& progress = {},
                                         std::stop_token stop = {});
 
-/// `samples` stratified samples per pixel in double precision, as two halves of disjoint samples. Incomplete where stopped.
+/// `samples` stratified samples per pixel in double precision, as two halves of disjoint samples. Incomplete where
+/// stopped.
 struct ReferenceImage {
     Image<glm::dvec3> mean;
     double rmse = 0;  // half the root mean square difference of the halves

@@ -9,9 +9,9 @@
 
 namespace kd {
 
-/// `count` rays along lines that meet the box, uniform in the measure under which a convex body inside is met in proportion
-/// to its surface (Crofton; Santalo 1976): they enter anywhere on the surface, by the cosine to its normal. Each starts
-/// outside. None for a box without a surface.
+/// `count` rays along lines that meet the box, uniform in the measure under which a convex body inside is met in
+/// proportion to its surface (Crofton; Santalo 1976): they enter anywhere on the surface, by the cosine to its normal.
+/// Each starts outside. None for a box without a surface.
 [[nodiscard]] std::vector<Ray> uniform_lines(const Aabb& box, std::size_t count, Random& random);
 
 }  // namespace kd

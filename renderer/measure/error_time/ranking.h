@@ -11,11 +11,12 @@ struct TimeAndError {
     double time = 0, error = 0;
 };
 
-/// For each method whether none other is at least as good in both and better in one (Pareto). NaN is never on the front.
+/// For each method whether none other is at least as good in both and better in one (Pareto). NaN is never on the
+/// front.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const TimeAndError> methods);
 
-/// Kendall's rank correlation tau-b of pairs (x[i], y[i]): 1 where both order alike, -1 where they order opposite ways, 0
-/// where one is constant or fewer than two pairs are there.
+/// Kendall's rank correlation tau-b of pairs (x[i], y[i]): 1 where both order alike, -1 where they order opposite ways,
+/// 0 where one is constant or fewer than two pairs are there.
 [[nodiscard]] double kendall_tau(std::span<const double> x, std::span<const double> y);
 
 }  // namespace kd

@@ -1,4 +1,5 @@
-// Reports P3 and P4: what the surface area heuristic predicts against what rays pay, and what a better tree costs to build.
+// Reports P3 and P4: what the surface area heuristic predicts against what rays pay, and what a better tree costs to
+// build.
 #pragma once
 
 #include <array>
@@ -44,7 +45,8 @@ struct TreeRow {
     // Against the reference:
     double sah_ratio = 1;
     MedianInterval frame_ratio = exactly(1);  // of ratios taken round by round
-    /// Frames after which the reference's longer build has paid; none where the interval of the ratio does not lie above 1.
+    /// Frames after which the reference's longer build has paid; none where the interval of the ratio does not lie
+    /// above 1.
     std::optional<double> break_even_frames;
     bool on_front = false;  // of build time and frame time
 
@@ -72,9 +74,9 @@ struct TreeReport {
                                       const std::function<void(float, const std::string&)>& progress = {},
                                       std::stop_token stop = {});
 
-/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit, with frame_a = frame_b * ratio: from so many frames on
-/// the tree b, slower to build, is the better choice. The ratio is that of the rounds, since medians of two rows of times may
-/// stand the other way round. None where its interval does not lie above 1; 0 where b is no slower to build.
+/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit, with frame_a = frame_b * ratio: from so many frames
+/// on the tree b, slower to build, is the better choice. The ratio is that of the rounds, since medians of two rows of
+/// times may stand the other way round. None where its interval does not lie above 1; 0 where b is no slower to build.
 [[nodiscard]] std::optional<double> break_even(double build_a, double build_b, double frame_b,
                                                const MedianInterval& ratio);
 

@@ -1,5 +1,5 @@
-// Walks through a tree that differ in triangle test, rules, traversal and precision, and in nothing else: what hit errors
-// and their price are compared with. All compiled alike, for the plain processor.
+// Walks through a tree that differ in triangle test, rules, traversal and precision, and in nothing else: what hit
+// errors and their price are compared with. All compiled alike, for the plain processor.
 #pragma once
 
 #include <array>

@@ -20,12 +20,12 @@ struct PaperClaim {
     std::string reason = {};
 };
 
-/// All claims in the paper's order, judged by what was measured so far. What only a GPU can decide is undecided where the
-/// shaders ran on the CPU, with the number told all the same.
+/// All claims in the paper's order, judged by what was measured so far. What only a GPU can decide is undecided where
+/// the shaders ran on the CPU, with the number told all the same.
 [[nodiscard]] std::vector<PaperClaim> judge_claims(const PaperResults& results);
 
-/// Of 4.1, carried on beyond the paper's sizes: how much the time grows from 9K to 81K triangles, over how much it grows
-/// from 1K to 9K, round by round.
+/// Of 4.1, carried on beyond the paper's sizes: how much the time grows from 9K to 81K triangles, over how much it
+/// grows from 1K to 9K, round by round.
 [[nodiscard]] MedianInterval growth(const PaperResults& results, PaperMethod method);
 /// The same if the time grew with `f` of the number of triangles.
 [[nodiscard]] double growth_of(const PaperResults& results, double (*f)(double));

@@ -32,8 +32,8 @@ struct Judged {
     std::string reason;
 };
 
-/// Reproduced where the whole interval lies inside, not reproduced where all of it lies outside; else undecided: nothing
-/// was measured, there are too few rounds for 95 %, or the interval reaches over an end.
+/// Reproduced where the whole interval lies inside, not reproduced where all of it lies outside; else undecided:
+/// nothing was measured, there are too few rounds for 95 %, or the interval reaches over an end.
 [[nodiscard]] Judged judge(const MedianInterval& value, const Accepted& accepted);
 
 }  // namespace kd

@@ -39,8 +39,8 @@ class CaseRun {
             std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop, Tell tell = {});
     virtual ~CaseRun() = default;
 
-    /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many; of `parts` that share them,
-    /// one's, rounded up.
+    /// `full` with --long, a tenth of it otherwise, but at least 1000 where there are as many; of `parts` that share
+    /// them, one's, rounded up.
     [[nodiscard]] std::size_t rays(std::size_t full, std::size_t parts = 1) const;
     /// Side of a square picture: `full` with --long, otherwise for a tenth of its pixels.
     [[nodiscard]] int side(int full) const;
@@ -58,7 +58,8 @@ class CaseRun {
     [[nodiscard]] virtual Subject subject(FlatScene scene, const BuildConfig& build = {});
 
     /// What the loop over all triangles answers in single precision. Triangles whose boxes a ray does not come near are
-    /// passed over; some of the rays go to the loop itself, and any difference is recorded as a failure. Throws Stopped.
+    /// passed over; some of the rays go to the loop itself, and any difference is recorded as a failure. Throws
+    /// Stopped.
     [[nodiscard]] std::vector<Hit> loop_hits(const FlatScene& scene, const std::vector<Ray>& rays);
     /// The same in double precision, unchecked.
     [[nodiscard]] std::vector<f64::Hit> exact_hits(const FlatScene& scene, const std::vector<Ray>& rays) const;
@@ -66,8 +67,8 @@ class CaseRun {
     /// Traces the rays with every traversal on every machine and adds to their rows.
     void check(const Subject& subject, const std::vector<Ray>& rays, const Expectation& expectation = {});
 
-    /// Calls back with each traversal on each machine, loaded with the subject, and the row to add to: for what check() does
-    /// not cover.
+    /// Calls back with each traversal on each machine, loaded with the subject, and the row to add to: for what check()
+    /// does not cover.
     void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use);
 
     /// The same with the nearest hits of these rays, which are counted in the row.
@@ -95,8 +96,8 @@ class CaseRun {
     };
     void check_machine(const Reference& reference, const Expectation& expectation, RayMachine& machine,
                        const TraceConfig& trace, StabilityRow& r) const;
-    /// Of a case that is exempt: wrong answers of rays that were given up, and say so, are mismatches of their own kind. They get
-    /// the right answers, so that what is compared from here on is what nothing excuses.
+    /// Of a case that is exempt: wrong answers of rays that were given up, and say so, are mismatches of their own
+    /// kind. They get the right answers, so that what is compared from here on is what nothing excuses.
     static void excuse_given_up(const Reference& reference, std::span<const RayCounters> any_counters,
                                 RayAnswers& found, StabilityRow& r);
     static void judge_exact(const Reference& reference, const std::vector<Hit>& found, const Expectation& expectation,

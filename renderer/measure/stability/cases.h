@@ -1,5 +1,5 @@
-// The cases by name. A new one is a function case_ID() in the file of its family, and its id in case_list.inc; where it has
-// a parameter worth driving, a function sweep_ID() beside it, and its id in sweep_list.inc.
+// The cases by name. A new one is a function case_ID() in the file of its family, and its id in case_list.inc; where it
+// has a parameter worth driving, a function sweep_ID() beside it, and its id in sweep_list.inc.
 #pragma once
 
 #include "renderer/measure/stability/case_run.h"

@@ -28,8 +28,8 @@ Order shuffled(Random& random, std::size_t n) {
 
 bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 
-/// The hits on a renamed scene against those on the original: the same t in every bit (within `most_ulps`), and the same
-/// triangle unless two are met at one t.
+/// The hits on a renamed scene against those on the original: the same t in every bit (within `most_ulps`), and the
+/// same triangle unless two are met at one t.
 void compare_renamed(CaseRun& run, const Subject& renamed, const std::vector<Ray>& rays,
                      const std::vector<Hit>& original, const Order& old_number, double most_ulps,
                      const std::string& what) {

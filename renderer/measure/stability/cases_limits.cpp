@@ -84,8 +84,8 @@ void run_numbers(CaseRun& run) {
     run.check(plane, rays);
 }
 
-/// `depth` triangles at x = 1, 1/2, 1/4, ... and one more at x = 0, each in a leaf of its own at a level of its own. The
-/// nodes lie on one path: the child below each split holds all the rest.
+/// `depth` triangles at x = 1, 1/2, 1/4, ... and one more at x = 0, each in a leaf of its own at a level of its own.
+/// The nodes lie on one path: the child below each split holds all the rest.
 Subject chain(CaseRun& run, int depth) {
     std::vector<Triangle> walls;
     for (int i = 0; i <= depth; ++i) {

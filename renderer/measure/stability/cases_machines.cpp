@@ -45,8 +45,8 @@ void run_machines(CaseRun& run) {
     });
 }
 
-/// a*b + c rounded twice gives 0 here; once, fused, -2^-46. Compiled for processors that can fuse, as the tracer's hot code
-/// is: for others no compiler would.
+/// a*b + c rounded twice gives 0 here; once, fused, -2^-46. Compiled for processors that can fuse, as the tracer's hot
+/// code is: for others no compiler would.
 #if defined(__x86_64__)
 __attribute__((target("fma")))
 #endif
@@ -64,8 +64,8 @@ bool can_fuse() {
 #endif
 }
 
-/// The tracer's hot code is compiled for each instruction set, fused multiply-add among them; what it answers must be what
-/// the plain processor answers. Bits of u and v show every contraction.
+/// The tracer's hot code is compiled for each instruction set, fused multiply-add among them; what it answers must be
+/// what the plain processor answers. Bits of u and v show every contraction.
 void run_build(CaseRun& run) {
     const bool fused = can_fuse() && fuses_products();
     run.record("a*b+c", 1, fused ? 1 : 0,

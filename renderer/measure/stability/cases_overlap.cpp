@@ -84,7 +84,8 @@ std::string tree_text(const Subject& subject) {
                        subject.built.reference_cap_hit ? ", stopped by the reference cap" : "");
 }
 
-/// At most `cap` references per triangle, from the usual constants, from ones that try harder, and from a builder that cuts blindly.
+/// At most `cap` references per triangle, from the usual constants, from ones that try harder, and from a builder that
+/// cuts blindly.
 void check_growth(CaseRun& run, const std::vector<Triangle>& triangles, float cap, std::size_t all_rays) {
     BuildConfig patient, blind;
     patient.bad_refines = 3;

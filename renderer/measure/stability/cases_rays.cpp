@@ -79,7 +79,8 @@ void run_invalid(CaseRun& run) {
     });
 }
 
-/// Rays that hit at `t`, over intervals that hold it or do not; brute force says what is right, and what must miss is listed.
+/// Rays that hit at `t`, over intervals that hold it or do not; brute force says what is right, and what must miss is
+/// listed.
 void run_intervals(CaseRun& run) {
     const Subject ball = run.subject(stress_sphere(80, 40));
     const std::vector<Ray> open = inside_rays(run.random(), run.rays(full, 5));
@@ -104,7 +105,8 @@ void run_intervals(CaseRun& run) {
     run.check(ball, rays, e);
 }
 
-/// A floor under a lamp whose light sits on the lamp's own triangles: shadow rays end there and must not be stopped by them.
+/// A floor under a lamp whose light sits on the lamp's own triangles: shadow rays end there and must not be stopped by
+/// them.
 void run_lamp(CaseRun& run) {
     std::vector<Triangle> room = grid({-4, -4, 0}, {8, 0, 0}, {0, 8, 0}, 4, 4);
     for (const Triangle& t : grid({-0.31f, -0.27f, 2.1f}, {0.6f, 0.02f, 0.05f}, {0, 0.6f, 0.03f}, 1, 1))

@@ -89,8 +89,8 @@ void run_slivers(CaseRun& run) {
     }
 }
 
-/// The error of t allowed to a ray that meets a plane at `sine`: the shift of a point by KD_SLACK of its distance, which is
-/// about gamma(17).
+/// The error of t allowed to a ray that meets a plane at `sine`: the shift of a point by KD_SLACK of its distance,
+/// which is about gamma(17).
 double grazing_bound(double sine) { return 4 * double(KD_SLACK) / sine; }
 
 /// Two directions within the plane that is grazed, and its normal.

@@ -1,5 +1,5 @@
-// The stability suite: cases that break ray tracers, each with its construction, its oracle and what is accepted, run on
-// every traversal and every machine.
+// The stability suite: cases that break ray tracers, each with its construction, its oracle and what is accepted, run
+// on every traversal and every machine.
 #pragma once
 
 #include <cstdint>

@@ -23,8 +23,9 @@ class SweepJudge {
     SweepJudge(const FlatScene& scene, std::span<const Ray> rays, bool every_ray_hits, int threads,
                std::stop_token stop);
 
-    /// An answer in single precision, or (`triangle`, `t`) in double. What passes an edge closer than KD_SLACK of the ray's
-    /// reach is in doubt and no fault, but for a miss where every ray hits; nor is another triangle within `tie_ulps`.
+    /// An answer in single precision, or (`triangle`, `t`) in double. What passes an edge closer than KD_SLACK of the
+    /// ray's reach is in doubt and no fault, but for a miss where every ray hits; nor is another triangle within
+    /// `tie_ulps`.
     [[nodiscard]] SweepFault judge(std::size_t ray, int triangle, double t) const;
 
     /// What double precision itself found.
