@@ -13,11 +13,11 @@ build_packages=(
     libosmesa6-dev libosmesa6)
 test_packages=(
     libgtest-dev librapidcheck-dev libembree-dev assimp-testmodels
-    xvfb xauth xdotool imagemagick)
+    xvfb xauth xdotool imagemagick clang-format-14)
 fuzz_packages=(clang libclang-rt-14-dev)
 # Not every distribution has these; the program and its tests do without.
 optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core gnuplot-nox ccache xdotool"
-optional+=" clang libclang-rt-14-dev "
+optional+=" clang libclang-rt-14-dev clang-format-14 "
 
 case "${1:-run}" in
     run) wanted=("${build_packages[@]}") ;;
@@ -66,6 +66,8 @@ as_root=()
 if [[ $(id -u) -ne 0 ]]; then
     if command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
         as_root=(sudo -n)
+    elif command -v sudo >/dev/null && [[ -t 0 && ${#essential[@]} -gt 0 ]] && sudo -p 'setup: password of %p, to install packages: ' true; then
+        as_root=(sudo -n) # it remembers the password for some minutes
     elif [[ ${#essential[@]} -eq 0 ]]; then
         say "going on without: ${packages[*]}"
         leave_out

@@ -14,11 +14,13 @@
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
 #include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "app/report/sweep_text.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep_run.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -141,11 +143,12 @@ int run_sweep_command(const StabilityOptions& options, CommandContext& context) 
         report = run_sweep(sweep_config(options), show, context.stop);
     }
     check_stop(context);
+    const MeasuredOn on = measured_on(options.session.threads, options.session.seed);
     if (!options.csv.empty()) {
-        write_file(options.csv, sweep_csv(report));
+        write_file(options.csv, csv_comments(on.lines()) + sweep_csv(report));
         context.out << fmt::format("wrote {} ({} rows)\n", options.csv, report.rows.size());
     } else if (options.json)
-        context.out << json_text(sweep_json(report));
+        context.out << json_text(with_machine(sweep_json(report), on));
     else
         print(context.out, report);
     return exit_ok;
@@ -175,7 +178,8 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
     if (report.rows.empty())
         throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
     if (options.json)
-        context.out << json_text(json_of(report));
+        context.out << json_text(
+            with_machine(json_of(report), measured_on(options.session.threads, options.session.seed)));
     else
         print(context.out, report);
     return report.passed() ? exit_ok : exit_check_failed;

@@ -14,6 +14,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/verify_needs.h"
 #include "app/report/json_values.h"
+#include "app/report/machine_info.h"
 #include "renderer/measure/verify.h"
 
 namespace kd {
@@ -57,8 +58,13 @@ Json json_of(const VerifyReport& report) {
                         {"counter_mismatches", row.counter_mismatches ? Json(*row.counter_mismatches) : Json(nullptr)},
                         {"seconds", row.seconds},
                         {"first_failure", row.first_failure.empty() ? Json(nullptr) : Json(row.first_failure)}});
-    return {{"scene", report.scene}, {"triangles", report.triangles},   {"passed", report.passed()},
-            {"rows", rows},          {"violations", report.violations}, {"notes", report.notes}};
+    return {{"scene", report.scene},
+            {"triangles", report.triangles},
+            {"passed", report.passed()},
+            {"rows", rows},
+            {"violations", report.violations},
+            {"notes", report.notes},
+            {"not_checked", report.not_checked}};
 }
 
 void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
@@ -83,14 +89,21 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
                        row.counter_mismatches ? fmt::format("{}", *row.counter_mismatches) : "-",
                        fmt::format("{:.2f}", row.seconds), row.good() ? "good" : "WRONG"});
     table.print(out);
-    for (const std::string& note : report.notes) out << "note: " << note << '\n';
+    for (const auto* lines : {&report.notes, &report.not_checked})
+        for (const std::string& line : *lines) out << "note: " << line << '\n';
     for (const std::string& violation : report.violations) out << "bad tree: " << violation << '\n';
     std::set<std::string> told;  // rows that fail on the same ray are told once
     for (const VerifyRow& row : report.rows)
         if (!row.first_failure.empty() && told.insert(row.first_failure.substr(0, row.first_failure.find(": "))).second)
             out << fmt::format("first failure of {} {} {} on {} {}: {}\n", row.builder, row.traversal, row.leaf_lists,
                                row.tracer, row.context, row.first_failure);
-    out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
+    if (!report.passed())
+        out << (report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
+    else if (report.not_checked.empty())
+        out << "passed\n";
+    else
+        out << fmt::format("passed as far as it was checked; {} not (see the notes)\n",
+                           counted(report.not_checked.size(), "machine or mode"));
 }
 
 /// What checks rays and what checks frames take different options.
@@ -127,7 +140,7 @@ int run(const CLI::App& app, const VerifyOptions& options, CommandContext& conte
         check_stop(context);
         passed = passed && report.passed();
         if (options.json)
-            json.push_back(json_of(report));
+            json.push_back(with_machine(json_of(report), measured_on(session.threads, session.seed)));
         else {
             if (name != options.scenes.front()) context.out << '\n';
             print(context.out, name, report);

@@ -168,6 +168,11 @@ Json json_of(const MeasuredOn& on) {
     return json;
 }
 
+Json with_machine(Json report, const MeasuredOn& on) {
+    report["measured_on"] = json_of(on);
+    return report;
+}
+
 std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {
     std::array<CounterTotals, pass_count> totals;
     for (std::size_t pass = 0; pass < pass_count; ++pass) {

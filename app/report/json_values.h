@@ -36,6 +36,8 @@ using Json = nlohmann::ordered_json;
 /// median, low, high, confidence, samples; null without samples.
 [[nodiscard]] Json json_of(const MedianInterval& value);
 [[nodiscard]] Json json_of(const MeasuredOn& on);
+/// A report with the machine that made it, under "measured_on".
+[[nodiscard]] Json with_machine(Json report, const MeasuredOn& on);
 
 /// Sums over the pixels of each pass, with the number of rays traced.
 [[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/measure/path_rays.h"
 #include "renderer/measure/verify.h"
 #include "renderer/scene/random.h"
 
@@ -14,7 +15,7 @@ namespace {
 class RayMaker {
   public:
     RayMaker(const FlatScene& scene, const KdTree& tree, unsigned seed)
-        : triangles_(scene.triangles), tree_(tree), boxes_(node_boxes(tree)), random_(seed) {
+        : scene_(scene), triangles_(scene.triangles), tree_(tree), boxes_(node_boxes(tree)), random_(seed) {
         bounds_ = tree.bounds.empty() ? Aabb{Vec3(-1), Vec3(1)} : tree.bounds;
         const Vec3 extent = bounds_.extent();
         size_ = std::max({extent.x, extent.y, extent.z, std::numeric_limits<float>::min()});
@@ -140,23 +141,56 @@ class RayMaker {
         return ray(target - d * distance, d);
     }
 
-    /// As shadow and mirror rays start: off the surface by the rounding of the point, the triangle itself left out.
-    Ray from_surface() {
-        if (triangles_.empty()) return ray(origin(), any_direction());
-        const std::size_t number = any_triangle();
-        const auto& [a, b, c] = triangles_[number].corner;
+    /// Somewhere in a triangle.
+    Vec3 point_in(const Triangle& t) {
         float u = between(0, 1);
         float v = between(0, 1);
         if (u + v > 1.0f) {
             u = 1.0f - u;
             v = 1.0f - v;
         }
-        const Vec3 p = a * (1.0f - u - v) + b * u + c * v;
-        const Vec3 magnitude = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-        Vec3 d = any_direction();
-        Ray spawned = ray(p + d * (2.0f * KD_GAMMA_7) * magnitude, d);
-        spawned.source = coin() ? int(number) : -1;
-        return spawned;
+        return t.corner[0] * (1.0f - u - v) + t.corner[1] * u + t.corner[2] * v;
+    }
+
+    /// As shadow and mirror rays start, by the tracers' own text: from where a ray hits a triangle.
+    Ray from_surface() {
+        if (triangles_.empty()) return ray(origin(), any_direction());
+        const std::size_t number = any_triangle();
+        const Vec3 o = origin();
+        const Ray arriving = ray(o, point_in(triangles_[number]) - o);
+        const Hit hit = hit_of_triangle(scene_, int(number), arriving);
+        if (hit.triangle < 0) return arriving;
+        Ray leaving = leave_hit(scene_, arriving, hit, any_direction()).ray;
+        if (coin()) leaving.source = -1;
+        return leaving;
+    }
+
+    /// Unit normal of a triangle; a random direction of one without area.
+    Vec3 normal_of(const Triangle& t) {
+        const auto& [a, b, c] = t.corner;
+        const Vec3 n = glm::cross(b - a, c - a);
+        const float length = glm::length(n);
+        return length > 0.0f ? n / length : glm::normalize(any_direction());
+    }
+
+    /// Meets a triangle at 1e-3 to 1e-7 radians.
+    Ray grazing_triangle() {
+        if (triangles_.empty()) return ray(origin(), any_direction());
+        const Triangle& t = triangles_[any_triangle()];
+        const Vec3 p = point_in(t), along = point_in(t) - p;
+        const float length = glm::length(along);
+        if (!(length > 0.0f)) return ray(origin(), any_direction());
+        const float angle = std::pow(10.0f, between(-7.0f, -3.0f));
+        const Vec3 d = along / length - normal_of(t) * (sign() * angle);
+        return ray(p - d * (size_ * between(0.01f, 1.0f)), d);
+    }
+
+    /// Begins 1e-3 to 1e-7 scene sizes off a triangle.
+    Ray beside_triangle() {
+        if (triangles_.empty()) return ray(origin(), any_direction());
+        const Triangle& t = triangles_[any_triangle()];
+        const float away = size_ * std::pow(10.0f, between(-7.0f, -3.0f));
+        return ray(point_in(t) + normal_of(t) * (sign() * away), any_direction());
     }
 
     Ray inside_triangle_plane() {
@@ -204,7 +238,7 @@ class RayMaker {
     }
 
     using Family = Ray (RayMaker::*)();
-    static constexpr std::array<Family, 13> families{
+    static constexpr std::array<Family, 15> families{
         &RayMaker::at_vertex,
         &RayMaker::at_edge,
         &RayMaker::along_axis,
@@ -214,12 +248,15 @@ class RayMaker {
         &RayMaker::grazing_box,
         &RayMaker::from_afar,
         &RayMaker::from_surface,
+        &RayMaker::grazing_triangle,
+        &RayMaker::beside_triangle,
         &RayMaker::inside_triangle_plane,
         &RayMaker::of_odd_length,
         &RayMaker::with_interval,
         &RayMaker::invalid,
     };
 
+    const FlatScene& scene_;
     const std::vector<Triangle>& triangles_;
     const KdTree& tree_;
     std::vector<Aabb> boxes_;

@@ -43,6 +43,7 @@ class DoubleKernel {
     }
     int fetch_reference(int slot) const { return slot; }
     void fetch_node_box(int, real3&, real3&) const {}  // there is no tree
+    void on_leaf(int) {}
     void on_triangle(int) {}
     void on_exit(int) {}
     int triangle_count() const { return int(scene_.triangles.size()); }

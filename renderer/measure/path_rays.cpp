@@ -73,6 +73,19 @@ Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height) 
                        [&](PlainKernel& kernel) { return kernel.camera_ray(camera, int2(x, y), int2(width, height)); });
 }
 
+Hit hit_of_triangle(const FlatScene& scene, int triangle, const Ray& ray) {
+    return with_kernel(scene, [&](PlainKernel& kernel) {
+        Hit hit = kernel.no_hit(ray);
+        const auto s = kernel.setup_ray(ray);
+        if (!kernel.valid_ray(s.ray)) return hit;
+        const float limit = hit.t;
+        hit.t = limit - s.t_shift;
+        kernel.intersect_triangle(s, -1, triangle, hit);
+        hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
+        return hit;
+    });
+}
+
 Hit plain_brute_force(const FlatScene& scene, const Ray& ray) {
     return with_kernel(scene, [&](PlainKernel& kernel) {
         Hit hit = kernel.no_hit(ray);

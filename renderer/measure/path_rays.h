@@ -29,6 +29,9 @@ struct LeavingRay {
 /// The primary ray of a pixel.
 [[nodiscard]] Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height);
 
+/// The hit of this one triangle, whatever lies before it; none where the ray misses it.
+[[nodiscard]] Hit hit_of_triangle(const FlatScene& scene, int triangle, const Ray& ray);
+
 /// Nearest hits by all triangles, compiled without any instruction set extension.
 [[nodiscard]] Hit plain_brute_force(const FlatScene& scene, const Ray& ray);
 

@@ -79,7 +79,7 @@ class Verification {
     }
 
     void open_contexts() {
-        gl_ = gl_machines(config_.contexts, "checked", report_.notes);
+        gl_ = gl_machines(config_.contexts, "checked", report_.not_checked);
         const std::size_t runs = modes_.size() * ((config_.cpu ? 1 : 0) + gl_.size());
         steps_ = 4 + config_.builders.size() * (2 + runs) + (naive_ ? gl_.size() : 0);
     }
@@ -156,8 +156,8 @@ class Verification {
             machine.load(scene_, tree);
             return true;
         } catch (const InputError& error) {
-            report_.notes.push_back(fmt::format("{}: {} on {} not checked: {}", builder, machine.tracer(),
-                                                machine.context(), error.what()));
+            report_.not_checked.push_back(fmt::format("{}: {} on {} not checked: {}", builder, machine.tracer(),
+                                                      machine.context(), error.what()));
             return false;
         }
     }
@@ -188,8 +188,8 @@ class Verification {
             }
             report_.rows.push_back(std::move(row));
         } catch (const InputError& error) {
-            report_.notes.push_back(fmt::format("{} with {} on {} not checked: {}", row.traversal, row.leaf_lists,
-                                                row.context, error.what()));
+            report_.not_checked.push_back(fmt::format("{} with {} on {} not checked: {}", row.traversal, row.leaf_lists,
+                                                      row.context, error.what()));
         }
         ++done_;
     }

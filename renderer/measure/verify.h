@@ -47,7 +47,8 @@ struct VerifyReport {
     std::string scene;
     std::int64_t triangles = 0;
     std::vector<VerifyRow> rows;
-    std::vector<std::string> notes;  // contexts that are not there, modes refused and why
+    std::vector<std::string> notes;        // what was checked with fewer rays, and the like
+    std::vector<std::string> not_checked;  // machines that are not there and modes refused, each with the reason
     /// What validate() found wrong with a tree, one line each.
     std::vector<std::string> violations;
     bool complete = true;  // false where stopped before the end
@@ -55,8 +56,8 @@ struct VerifyReport {
     [[nodiscard]] bool passed() const;
 };
 
-/// Rays that hurt: at vertices and edges, axis-parallel with +0 and -0, in split planes, from on planes, grazing, from
-/// hits.
+/// Rays that hurt: at vertices and edges, axis-parallel with +0 and -0, in split planes, from on planes, grazing cells
+/// and triangles, from afar and from beside a triangle, from hits.
 [[nodiscard]] std::vector<Ray> adversarial_rays(const FlatScene& scene, const KdTree& tree, int count, unsigned seed);
 
 /// `progress` gets the fraction done and what is being checked.

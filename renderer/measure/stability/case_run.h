@@ -25,6 +25,7 @@ struct Expectation {
     bool every_ray_hits = false;              // closed around every origin
     std::optional<HitJudge> against_double;   // t, hit and triangle against double precision
     bool costly = false;                      // OpenGL gets every third ray
+    bool may_give_up = true;                  // on OpenGL, in a case that is exempt; false: no ray is excused
     const std::vector<Hit>* known = nullptr;  // the answers themselves; brute force is not asked then
     std::string what;                         // names this part of the case in a failure
 };

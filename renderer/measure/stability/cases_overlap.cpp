@@ -10,7 +10,6 @@
 #include "renderer/measure/stability/cases.h"
 #include "renderer/scene/overlap_shapes.h"
 #include "renderer/scene/stress_shapes.h"
-#include "renderer/trace/counters.h"
 
 namespace kd {
 
@@ -31,31 +30,17 @@ Expectation costly() {
     return e;
 }
 
-/// Every answer is that of brute force, or the step budget of a shader cannot hold the leaf and the walk says so.
-void check_or_refused(CaseRun& run, const Subject& subject, const std::vector<Ray>& rays) {
-    const std::vector<Hit> expected = run.loop_hits(subject.scene, rays);
-    const bool fits = subject.scene.triangles.size() < std::size_t(gl_step_budget);
-    run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        std::vector<Hit> hits(rays.size());
-        std::vector<RayCounters> counters(rays.size());
-        (void)machine.trace(trace, rays, false, hits, counters, run.stop());
-        run.check_stop();
-        row.n += std::int64_t(rays.size());
-        const bool may_refuse = !fits && machine.tracer() != "cpu";
-        int refused = 0;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const bool capped = counters[i].exit_reason == KD_EXIT_STEP_CAP;
-            refused += capped;
-            if (capped ? may_refuse : bit_equal(hits[i], expected[i])) continue;
-            CaseRun::fail(row, fmt::format("{} triangles: ray {}: expected {}; found {}{}",
-                                           subject.scene.triangles.size(), exact_text(rays[i]), exact_text(expected[i]),
-                                           exact_text(hits[i]), capped ? " at the step cap" : ""));
-        }
-        if (refused > 0 && row.reason.empty())
-            row.reason = fmt::format("{} triangles: {} of {} rays ended at the step cap and say so",
-                                     subject.scene.triangles.size(), refused, rays.size());
-    });
+/// Every answer is that of brute force; where the step budget of a shader cannot hold a leaf, rays may be given up.
+Expectation within_budget(const Subject& subject) {
+    Expectation e;
+    e.what = fmt::format("{} triangles: ", subject.scene.triangles.size());
+    e.may_give_up = subject.scene.triangles.size() >= std::size_t(gl_step_budget);
+    return e;
 }
+
+constexpr const char* leaf_exempt = "on OpenGL a walk ends at its step budget (60,000) in a leaf that holds more "
+                                    "triangles than that; the answer may be "
+                                    "wrong and is flagged";
 
 std::vector<Triangle> copies_of_one(std::size_t n) {
     return std::vector<Triangle>(n, Triangle{{Vec3(0, 0, 0), Vec3(1, 0.25f, 0.5f), Vec3(0.5f, 1, 1)}});
@@ -73,7 +58,7 @@ void run_copies(CaseRun& run) {
         const Subject copies = run.subject(copies_of_one(n));
         run.record("tree", 1, copies.tree.references.size() <= n ? 0 : 1,
                    fmt::format("{} references, {:.2g} s", copies.tree.references.size(), copies.built.seconds));
-        check_or_refused(run, copies, rays_across(run.random(), rays));
+        run.check(copies, rays_across(run.random(), rays), within_budget(copies));
     }
 }
 
@@ -129,10 +114,9 @@ void run_fan(CaseRun& run) {
         const bool small = n < gl_step_budget;
         const std::size_t count = small ? run.rays(full) : run.rays(full, 50);
         const std::vector<Ray> rays = rays_at_fan(run.random(), fan.scene.triangles, count, count / 50);
-        if (small)
-            run.check(fan, rays, costly());
-        else
-            check_or_refused(run, fan, rays);
+        Expectation e = within_budget(fan);
+        e.costly = small;
+        run.check(fan, rays, e);
     }
 }
 
@@ -143,11 +127,12 @@ StabilityCase case_T04() {
         "T04",
         "The same triangle again and again",
         "1e3, 1e4, 1e5 and 1e6 copies of one triangle (Embree's overlapping_primitives test); on 1e3 all the rays, on "
-        "more 50,000,000 / n (a tenth without --long), at least 20",
+        "more 50,000,000 / n (a tenth unless in a long run), at least 20",
         "brute force",
         "0 mismatches, one reference per triangle; a shader whose step budget (60,000) is below the leaf says so "
         "for each ray",
-        run_copies};
+        run_copies,
+        leaf_exempt};
 }
 
 Sweep sweep_T04() {
@@ -167,9 +152,8 @@ StabilityCase case_T05() {
     return {"T05",
             "Triangles across the whole scene",
             "16,000 triangles from corner to corner of the unit cube, moved by up to 1 %; built with the usual "
-            "constants and with 3 bad refines, and by spatial median; reference cap 8; 10,000 rays (100,000 with "
-            "--long), as each "
-            "tests nearly all triangles",
+            "constants and with 3 bad refines, and by spatial median; reference cap 8; 10,000 rays (100,000 in "
+            "a long run), as each tests nearly all triangles",
             "brute force",
             "at most 8 references per triangle; 0 mismatches",
             [](CaseRun& run) { check_growth(run, cube_spanning(16'000, 0.01f, run.random()), 8, full / 10); }};
@@ -194,7 +178,8 @@ StabilityCase case_T28() {
         "brute force",
         "0 mismatches, depth within its limit; a shader that cannot test all triangles at the vertex says so for "
         "each ray",
-        run_fan};
+        run_fan,
+        leaf_exempt};
 }
 
 Sweep sweep_T28() {
