@@ -182,10 +182,9 @@ class Run {
     }
 
     [[nodiscard]] double probe_reference(const ImageTask& task) const {
-        const SceneNeeds needs = scene_needs(task.scene, KdTree{}, task.config);
         return wall_ms([&] {
             (void)double_frame(task.scene, pinhole(task.scene.camera, probe_side, probe_side), probe_side, probe_side,
-                               needs.bounces, task.config.least_contribution, task.threads, stop_, &task.boxes);
+                               path_config(task.scene, task.config), task.threads, stop_, &task.boxes);
         });
     }
 

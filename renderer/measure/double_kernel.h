@@ -9,11 +9,12 @@
 namespace kd::f64 {
 
 /// Hooks that read a scene, and the shared text behind them. Walks are over all triangles; with `boxes`, those of the
-/// scene, they pass over the ones that the ray cannot hit, and answer the same.
+/// scene, they pass over the ones that the ray cannot hit, and answer the same. Without `shadows` no shadow ray is
+/// traced.
 class DoubleKernel {
   public:
-    explicit DoubleKernel(const FlatScene& scene, const TriangleBoxes* boxes = nullptr)
-        : scene_(scene), boxes_(boxes) {}
+    explicit DoubleKernel(const FlatScene& scene, const TriangleBoxes* boxes = nullptr, bool shadows = true)
+        : scene_(scene), boxes_(boxes), shadows_(shadows) {}
 
 #define KD_RULES KD_RULES_ROBUST
 #define KD_TRAVERSE traverse_all
@@ -51,7 +52,7 @@ class DoubleKernel {
     int step_budget() const { return std::numeric_limits<int>::max(); }
     bool scene_has_normals() const { return scene_.has_normals; }
     bool scene_has_textures() const { return !scene_.textures.empty(); }
-    bool shadows_enabled() const { return true; }
+    bool shadows_enabled() const { return shadows_; }
     bool scene_has_highlights() const { return true; }
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
@@ -101,6 +102,7 @@ class DoubleKernel {
 
     const FlatScene& scene_;
     const TriangleBoxes* boxes_;
+    bool shadows_;
 };
 
 }  // namespace kd::f64

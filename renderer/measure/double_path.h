@@ -6,14 +6,24 @@
 #include "renderer/geometry/image.h"
 #include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/trace_config.h"
 
 namespace kd {
 
-/// The colours of a width x height frame with `bounces` reflections and shadows. `camera` is the one that the
-/// single-precision tracers got; `boxes`, those of the scene, make it quicker and nothing else. Incomplete where
-/// stopped.
+/// What follows a primary ray.
+struct PathConfig {
+    int bounces = 1;               // reflections, 0 and more
+    float least_contribution = 0;  // as TraceConfig has it
+    bool shadows = true;
+};
+
+/// What the single-precision tracers do with `scene` under `config`.
+[[nodiscard]] PathConfig path_config(const FlatScene& scene, const TraceConfig& config);
+
+/// The colours of a width x height frame. `camera` is the one that the single-precision tracers got; `boxes`, those of
+/// the scene, make it quicker and nothing else. Incomplete where stopped.
 [[nodiscard]] Image<glm::dvec3> double_frame(const FlatScene& scene, const PinholeCamera& camera, int width, int height,
-                                             int bounces, float least_contribution, int threads = 0,
-                                             std::stop_token stop = {}, const TriangleBoxes* boxes = nullptr);
+                                             const PathConfig& path, int threads = 0, std::stop_token stop = {},
+                                             const TriangleBoxes* boxes = nullptr);
 
 }  // namespace kd

@@ -21,12 +21,11 @@ namespace {
 FlatScene scene_of(std::string_view name) { return flatten(*make_procedural(name)); }
 
 /// A method of the CPU; its clock stands still, so that nothing depends on the machine.
-ImageMethod cpu_method(const FlatScene& scene, const KdTree& tree, Traversal traversal, int side) {
+ImageMethod cpu_method(const FlatScene& scene, const KdTree& tree, TraceConfig config, int side) {
     const auto tracer = std::make_shared<CpuTracer>(scene, tree);
-    return {"cpu", std::string(info(traversal).name), "none", [=](const PinholeCamera& camera, Image<Vec4>& colour) {
-                TraceConfig config;
-                config.traversal = traversal;
-                config.counters = false;
+    config.counters = false;
+    const std::string traversal(info(config.traversal).name);
+    return {"cpu", traversal, "none", [=](const PinholeCamera& camera, Image<Vec4>& colour) {
                 Frame frame(side, side);
                 tracer->trace_frame(config, camera, frame, 0);
                 colour = frame.colour;
@@ -39,9 +38,12 @@ struct Images {
     KdTree tree = build_tree(scene.triangles, {});
     TriangleBoxes boxes{scene.triangles};
     ImageTask task{scene, boxes, {}, {24, 24, 16, 128, 6, 0}, {}, 0, 1, 0};
-    Images() {
-        for (const Traversal t : {Traversal::stack, Traversal::restart, Traversal::backtrack})
-            task.methods.push_back(cpu_method(scene, tree, t, task.plan.width));
+    explicit Images(const TraceConfig& config = {}) {
+        task.config = config;
+        for (const Traversal t : {Traversal::stack, Traversal::restart, Traversal::backtrack}) {
+            task.config.traversal = t;
+            task.methods.push_back(cpu_method(scene, tree, task.config, task.plan.width));
+        }
     }
 };
 
@@ -84,16 +86,34 @@ TEST(ImageReportTest, IndependentSamplesConvergeByTheRootAndStratifiedOnesFaster
 
 TEST(ImageReportTest, ReferenceOfOneSampleIsTheFrame) {
     // The middle of the pixel, in double and in single precision: but for pixels at edges the same colours.
-    Images images;
-    const PinholeCamera camera = pinhole(images.scene.camera, 24, 24);
-    SampleMean single(24, 24);
-    Image<Vec4> colour;
-    images.task.methods[0].trace(camera, colour);
-    single.add(colour);
-    const Image<glm::dvec3> wide = double_frame(images.scene, camera, 24, 24, 1, 0.004f, 0, {}, &images.boxes);
-    EXPECT_LT(std::sqrt(mean_square_error(single.mean(), wide)), 1e-4);
-    const Image<glm::dvec3> slow = double_frame(images.scene, camera, 24, 24, 1, 0.004f);
-    EXPECT_EQ(wide.pixels, slow.pixels);
+    std::vector<Image<glm::dvec3>> frames;
+    for (const TraceConfig& config :
+         {TraceConfig{}, TraceConfig{.shadows = false}, TraceConfig{.shadows = false, .reflection_depth = 0}}) {
+        Images images(config);
+        const PinholeCamera camera = pinhole(images.scene.camera, 24, 24);
+        SampleMean single(24, 24);
+        Image<Vec4> colour;
+        images.task.methods[0].trace(camera, colour);
+        single.add(colour);
+        const PathConfig path = path_config(images.scene, config);
+        const Image<glm::dvec3> wide = double_frame(images.scene, camera, 24, 24, path, 0, {}, &images.boxes);
+        EXPECT_LT(std::sqrt(mean_square_error(single.mean(), wide)), 1e-4);
+        const Image<glm::dvec3> slow = double_frame(images.scene, camera, 24, 24, path);
+        EXPECT_EQ(wide.pixels, slow.pixels);
+        for (const Image<glm::dvec3>& other : frames)
+            EXPECT_GT(std::sqrt(mean_square_error(other, wide)), 1e-2) << "another picture";
+        frames.push_back(wide);
+    }
+}
+
+TEST(ImageReportTest, ErrorsFallWithoutShadowsToo) {
+    Images images({.shadows = false});
+    images.task.methods.resize(1);
+    const ImageReport report = report_images(images.task);
+    for (const ImageCurve& curve : report.curves) {
+        EXPECT_LT(curve.fit.slope, -0.35) << name_of(curve.sampler);
+        EXPECT_LT(curve.points.back().rmse, 0.4 * curve.points.front().rmse) << name_of(curve.sampler);
+    }
 }
 
 TEST(ImageReportTest, ShiftedCameraSeesTheNextPixel) {

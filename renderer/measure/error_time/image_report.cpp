@@ -9,7 +9,6 @@
 #include "renderer/measure/error_time/flip.h"
 #include "renderer/measure/error_time/image_error.h"
 #include "renderer/measure/error_time/ranking.h"
-#include "renderer/scene/needs.h"
 
 namespace kd {
 
@@ -222,16 +221,15 @@ ReferenceImage reference_image(const ImageTask& task, const std::function<void(f
                                const std::stop_token& stop) {
     const auto& [width, height] = std::pair(task.plan.width, task.plan.height);
     const PinholeCamera camera = pinhole(task.scene.camera, width, height);
-    const SceneNeeds needs = scene_needs(task.scene, KdTree{}, task.config);
+    const PathConfig path = path_config(task.scene, task.config);
     const int per_half = std::max(1, task.plan.reference_samples / 2);
     std::array halves{SampleMean(width, height), SampleMean(width, height)};
     for (std::size_t half = 0; half < halves.size(); ++half) {
         const auto offsets = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
         for (std::size_t i = 0; i < offsets.size(); ++i) {
             if (stop.stop_requested()) return {};
-            halves[half].add(double_frame(task.scene, shifted(camera, offsets[i], width, height), width, height,
-                                          needs.bounces, task.config.least_contribution, task.threads, stop,
-                                          &task.boxes));
+            halves[half].add(double_frame(task.scene, shifted(camera, offsets[i], width, height), width, height, path,
+                                          task.threads, stop, &task.boxes));
             if (progress) progress(float(half * offsets.size() + i + 1) / float(2 * offsets.size()));
         }
     }

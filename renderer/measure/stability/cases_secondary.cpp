@@ -109,7 +109,7 @@ double rmse(const Frame& frame, const Image<glm::dvec3>& exact) {
 void judge_bounces(CaseRun& run, const Subject& subject, int size, int bounces, double most, std::string& told) {
     const PinholeCamera camera = pinhole(subject.scene.camera, size, size);
     const Image<glm::dvec3> exact =
-        double_frame(subject.scene, camera, size, size, bounces, 0, run.threads(), run.stop());
+        double_frame(subject.scene, camera, size, size, {.bounces = bounces}, run.threads(), run.stop());
     double worst = 0;
     each_frame(run, subject, size, bounces, [&](const Frame& frame, StabilityRow& row) {
         const double error = rmse(frame, exact);
