@@ -82,6 +82,23 @@ TEST(PaperClaims, ARootIsNotALogarithm) {
     EXPECT_NEAR(root.value.median, 3, 0.3);
 }
 
+TEST(PaperClaims, WhatDoesNotGrowIsNoLogarithm) {
+    const auto judged = [](double at_1k, double at_9k, double at_81k, double noise) {
+        test::PaperMs ms = papers_own_ms();
+        ms[{"ball:1000", PaperMethod::cpurt}] = at_1k;
+        ms[{"ball:9000", PaperMethod::cpurt}] = at_9k;
+        ms[{"ball:81000", PaperMethod::cpurt}] = at_81k;
+        return claim(judge_claims(paper_results(ms, noise)), "E1a CPURT");
+    };
+    EXPECT_EQ(judged(100, 160, 220, 0.02).verdict, reproduced) << "a logarithm";
+    EXPECT_EQ(judged(100, 100, 100, 0).verdict, not_reproduced) << "constant";
+    EXPECT_NE(judged(100, 100, 100, 0.1).verdict, reproduced) << "constant but for noise";
+    EXPECT_EQ(judged(100, 160, 160, 0.02).verdict, not_reproduced) << "stops growing";
+    EXPECT_EQ(judged(220, 160, 100, 0.02).verdict, not_reproduced) << "falls by as much each time";
+    EXPECT_NEAR(judged(100, 160, 220, 0.02).accepted.low, 0.5, 0.01);
+    EXPECT_NEAR(judged(100, 160, 220, 0.02).accepted.high, 2, 0.03);
+}
+
 TEST(PaperClaims, TheSizeBeyondThePapersCountsForTheLawOfGrowthAlone) {
     PaperResults with = paper_results(papers_own_ms(), 0.02), without = with;
     std::erase_if(without.scenes, [](const PaperScene& scene) { return scene.name == "ball:81000"; });
