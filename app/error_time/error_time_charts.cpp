@@ -41,7 +41,7 @@ ChartPoint point_of(const ImageCurve& curve, const ImagePoint& point, Measure me
     drawn_point.x = point.seconds;
     drawn_point.x_interval = drawn(point.quartiles);
     drawn_point.y = measure == Measure::rmse ? point.rmse : point.flip;
-    if (measure == Measure::rmse) drawn_point.y_interval = drawn(point.rmse_interval);
+    drawn_point.y_interval = drawn(measure == Measure::rmse ? point.rmse_interval : point.flip_interval);
     drawn_point.marked = point.on_front;
     drawn_point.text = fmt::format("{} {} samples, {:.3g} s, error {:.3g}", point.samples, name_of(curve.sampler),
                                    point.seconds, drawn_point.y);
@@ -70,9 +70,9 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
     if (measure == Measure::rmse && report.reference_rmse > 0)
         chart.lines.push_back({"the reference's own error", report.reference_rmse, false, Ink::grey, Stroke::dotted});
     chart.note = fmt::format(
-        "{} x {} pixels; 1 to {} samples per pixel from left to right; whiskers: middle half of times{}",
-        report.plan.width, report.plan.height, report.plan.most_samples,
-        measure == Measure::rmse ? ", 95 % of errors; rings: unbeaten in both" : "; rings: unbeaten in both");
+        "{} x {} pixels; 1 to {} samples per pixel from left to right; whiskers: middle half of times, 95 % of errors; "
+        "rings: unbeaten in both",
+        report.plan.width, report.plan.height, report.plan.most_samples);
     if (measure == Measure::flip) mark_front(chart);
     fit_as_diagram(chart);
     return chart;
@@ -274,9 +274,7 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
 
 std::vector<ErrorFigure> image_figures(const SceneErrorTime& scene) {
     std::vector<ErrorFigure> figures;
-    std::vector<std::string> machines;
-    for (const ImageCurve& curve : scene.images->curves)
-        if (std::ranges::find(machines, curve.machine) == machines.end()) machines.push_back(curve.machine);
+    const std::vector<std::string> machines = scene.images->machines();
     const auto name = [&](const std::string& what) { return fmt::format("p1-{}-{}", scene.name.stem, what); };
     for (const std::string& machine : machines)
         figures.push_back(

@@ -16,24 +16,25 @@ std::string scene_csv(const ErrorTimeResults& results) {
 std::string image_csv(const ImageReport& report) {
     std::string text =
         "sampler,machine,traversal,samples,seconds,seconds_p25,seconds_p75,rmse,rmse_low,rmse_high,own_rmse,flip,"
-        "on_front\n";
+        "flip_low,flip_high,on_front\n";
     for (const ImageCurve& c : report.curves)
         for (const ImagePoint& p : c.points)
             text += csv_row(name_of(c.sampler), c.machine, c.traversal, p.samples, p.seconds, p.quartiles.low,
                             p.quartiles.high, p.rmse, p.rmse_interval.low, p.rmse_interval.high, p.own_rmse, p.flip,
-                            p.on_front);
+                            p.flip_interval.low, p.flip_interval.high, p.on_front);
     return text;
 }
 
 std::string slope_csv(const ImageReport& report) {
     std::string text =
         "sampler,machine,traversal,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,"
-        "frames,clock_discrepancy,frame_ratio,frame_ratio_low,frame_ratio_high,frame_ratio_confidence,largest_gap\n";
+        "frames,clock_discrepancy,frame_ratio,frame_ratio_low,frame_ratio_high,frame_ratio_confidence,largest_gap,"
+        "largest_gap_of_machine\n";
     for (const ImageCurve& c : report.curves)
         text += csv_row(name_of(c.sampler), c.machine, c.traversal, c.clock, c.fit.slope, c.fit.interval.low,
                         c.fit.interval.high, c.frame.median_ms, c.frame.p25_ms, c.frame.p75_ms, c.frame.samples,
                         c.clock_discrepancy, c.of_first.median, c.of_first.low, c.of_first.high, c.of_first.confidence,
-                        c.worst_gap);
+                        c.worst_gap, c.own_gap);
     return text;
 }
 

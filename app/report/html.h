@@ -10,6 +10,10 @@ namespace kd {
 /// `text` as it stands between tags or in an attribute; what no page can hold becomes '?' (printable()).
 [[nodiscard]] std::string html_text(std::string_view text);
 
+/// The whole page around `body`, with the style that all reports share: classes lead, small, scroll, figures, pictures,
+/// claims, verdict, and a verdict's own name with '-' for spaces.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+
 /// A table of cells that are HTML already, with its end of line.
 [[nodiscard]] std::string html_table(const std::vector<std::string>& titles,
                                      const std::vector<std::vector<std::string>>& rows);

@@ -73,6 +73,10 @@ TEST(Fit, IntervalOverSetsHoldsWhatTheSetsSpread) {
     EXPECT_LT(fit.interval.low, fit.slope);
     EXPECT_GT(fit.interval.high, fit.slope);
     EXPECT_EQ(root_mean_interval({{4.0}}, 0, 1).low, 2.0);
+    const Interval mean = mean_interval({1.0, 1.2, 0.8, 1.1}, 1);
+    EXPECT_NEAR(mean_over_sets({1.0, 1.2, 0.8, 1.1}), 1.025, 1e-12);
+    EXPECT_TRUE(0.8 <= mean.low && mean.low < 1.025 && 1.025 < mean.high && mean.high <= 1.2);
+    EXPECT_EQ(mean_interval({4.0}, 1).high, 4.0);
 }
 
 TEST(Ranking, FrontHoldsWhatNothingBeatsInBoth) {

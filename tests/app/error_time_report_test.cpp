@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "app/frame/frame_tracer.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/double_path.h"
@@ -65,11 +66,75 @@ TEST(ImageReportTest, TraversalsDifferInTimeAlone) {
             const double width = point.rmse_interval.high - point.rmse_interval.low;
             EXPECT_EQ(width > 0, random) << name_of(curve.sampler) << ": chance alone has an interval";
             EXPECT_LT(width, point.rmse) << "six sets tell it better than that";
+            const double flip_width = point.flip_interval.high - point.flip_interval.low;
+            EXPECT_EQ(flip_width > 0, random) << name_of(curve.sampler);
+            EXPECT_LT(flip_width, point.flip);
+            EXPECT_LE(point.flip_interval.low, point.flip);
+            EXPECT_GE(point.flip_interval.high, point.flip);
             EXPECT_LT(point.rmse_interval.low, random ? point.rmse : point.rmse + 1e-12);
             EXPECT_GT(point.rmse_interval.high, random ? point.rmse : point.rmse - 1e-12);
         }
         EXPECT_LT(curve.points.back().flip, 0.6 * curve.points.front().flip) << "16 samples instead of one";
     }
+}
+
+TEST(ImageReportTest, EachMachineIsHeldToItsOwnFirstMethod) {
+    // What the second machine's traversal adds to each colour is no matter of rounding, though its first method's image
+    // differs from the first machine's by more.
+    Images images;
+    const auto offset = [&](const char* machine, float added) {
+        ImageMethod method = images.task.methods.front();
+        method.machine = machine;
+        method.trace = [trace = method.trace, added](const PinholeCamera& camera, Image<Vec4>& colour) {
+            const TimeSample time = trace(camera, colour);
+            for (Vec4& pixel : colour.pixels) pixel += Vec4(added);
+            return time;
+        };
+        return method;
+    };
+    images.task.plan.sets = 2;
+    images.task.plan.most_samples = 2;
+    images.task.methods.resize(2);
+    images.task.methods.push_back(offset("other", 0.2f));
+    images.task.methods.push_back(offset("other", 0.2f));
+    const ImageReport same = report_images(images.task);
+    EXPECT_EQ(same.machines(), (std::vector<std::string>{"cpu", "other"}));
+    EXPECT_GT(same.curves.back().worst_gap, 0.1);
+    EXPECT_EQ(same.own_gap("other"), 0);
+    EXPECT_TRUE(same.same_images());
+    images.task.methods.push_back(offset("other", 0.21f));
+    const ImageReport faulty = report_images(images.task);
+    EXPECT_LE(faulty.own_gap("cpu"), ImageReport::most_own_gap);
+    EXPECT_GT(faulty.own_gap("other"), 0.005);
+    EXPECT_FALSE(faulty.same_images());
+}
+
+TEST(ImageReportTest, TraversalsDifferInTimeAloneByOpenGlToo) {
+    Images images;
+    images.task.plan.sets = 2;
+    images.task.plan.most_samples = 4;
+    images.task.methods.resize(1);
+    std::unique_ptr<FrameTracer> gl;
+    try {
+        gl = make_frame_tracer(TracerKind::gl_fragment, images.scene, images.tree, 0, {.context = ContextKind::osmesa});
+    } catch (const ContextError& error) {
+        GTEST_SKIP() << "NO CONTEXT: " << error.what();
+    }
+    for (const Traversal t : {Traversal::stack, Traversal::restart, Traversal::backtrack}) {
+        TraceConfig config{.traversal = t, .counters = false};
+        images.task.methods.push_back({"gl-fragment", std::string(info(t).name), gl->clock(),
+                                       [&gl, config](const PinholeCamera& camera, Image<Vec4>& colour) {
+                                           gl->prepare(config, 24, 24);
+                                           (void)gl->trace(config, camera, 24, 24);
+                                           colour = gl->frame(config).colour;
+                                           return TimeSample{1.0};
+                                       }});
+    }
+    const ImageReport report = report_images(images.task);
+    ASSERT_EQ(report.curves.size(), 12u);
+    EXPECT_LE(report.own_gap("gl-fragment"), ImageReport::most_own_gap);
+    EXPECT_TRUE(report.same_images());
+    for (const ImageCurve& curve : report.curves) EXPECT_LE(curve.worst_gap, 1e-7) << curve.machine << curve.traversal;
 }
 
 TEST(ImageReportTest, IndependentSamplesConvergeByTheRootAndStratifiedOnesFaster) {

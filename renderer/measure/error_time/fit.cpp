@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "renderer/geometry/order_statistics.h"
 #include "renderer/scene/random.h"
@@ -16,12 +16,12 @@ constexpr int draws = 2000;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The middle 95 % of `statistic` over sets drawn with replacement.
-Interval over_draws(const SquaredErrors& sets, std::uint64_t seed,
-                    const std::function<double(const SquaredErrors&)>& statistic) {
+template <class Sets, class Statistic>
+Interval over_draws(const Sets& sets, std::uint64_t seed, const Statistic& statistic) {
     Random random(seed);
     std::vector<double> values;
     for (int i = 0; i < draws; ++i) {
-        SquaredErrors drawn;
+        Sets drawn;
         for (std::size_t k = 0; k < sets.size(); ++k)
             drawn.push_back(sets[std::size_t(random.unit() * double(sets.size()))]);
         values.push_back(statistic(drawn));
@@ -83,6 +83,15 @@ std::vector<double> root_means(const SquaredErrors& sets) {
 Interval root_mean_interval(const SquaredErrors& sets, std::size_t column, std::uint64_t seed) {
     if (sets.size() < 2) return {root_mean(sets, column), root_mean(sets, column)};
     return over_draws(sets, seed, [column](const SquaredErrors& drawn) { return root_mean(drawn, column); });
+}
+
+double mean_over_sets(const std::vector<double>& sets) {
+    return std::accumulate(sets.begin(), sets.end(), 0.0) / double(std::max<std::size_t>(sets.size(), 1));
+}
+
+Interval mean_interval(const std::vector<double>& sets, std::uint64_t seed) {
+    if (sets.size() < 2) return {mean_over_sets(sets), mean_over_sets(sets)};
+    return over_draws(sets, seed, mean_over_sets);
 }
 
 PowerFit fit_power_over_sets(std::span<const double> x, const SquaredErrors& sets, std::uint64_t seed) {

@@ -32,6 +32,10 @@ using SquaredErrors = std::vector<std::vector<double>>;
 /// own root twice.
 [[nodiscard]] Interval root_mean_interval(const SquaredErrors& sets, std::size_t column, std::uint64_t seed);
 
+/// Of one number for each set of samples; 0 without any. Its interval is made as that of root_mean_interval().
+[[nodiscard]] double mean_over_sets(const std::vector<double>& sets);
+[[nodiscard]] Interval mean_interval(const std::vector<double>& sets, std::uint64_t seed);
+
 /// fit_power() through the root means, with an interval over sets drawn with replacement where there are several: the
 /// points of one set share samples, so what they leave over would promise too much.
 [[nodiscard]] PowerFit fit_power_over_sets(std::span<const double> x, const SquaredErrors& sets, std::uint64_t seed);

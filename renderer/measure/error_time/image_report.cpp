@@ -32,6 +32,14 @@ struct SetErrors {
     std::vector<double> mean_squares, flips;
 };
 
+/// The largest difference of own_rmse.
+double gap_between(const ImageCurve& a, const ImageCurve& b) {
+    double gap = 0;
+    for (std::size_t i = 0; i < std::min(a.points.size(), b.points.size()); ++i)
+        gap = std::max(gap, std::abs(a.points[i].own_rmse - b.points[i].own_rmse));
+    return gap;
+}
+
 class ImageRun {
   public:
     struct Stopped {};
@@ -77,7 +85,7 @@ class ImageRun {
         const int sets = sampler == Sampler::regular ? 1 : task_.plan.sets;
         std::vector<SetErrors> further;
         for (int set = 1; set < sets; ++set) further.push_back(trace_set(task_.methods.front(), sampler, set));
-        std::vector<double> first_rmse;
+        const std::ptrdiff_t first = std::ssize(report.curves);
         for (std::size_t m = 0; m < task_.methods.size(); ++m) {
             const ImageMethod& method = task_.methods[m];
             ImageCurve curve{.sampler = sampler,
@@ -92,12 +100,12 @@ class ImageRun {
             std::vector<SetErrors> all{trace_set(method, sampler, 0)};
             all.insert(all.end(), further.begin(), further.end());
             fill(curve, all);
-            for (std::size_t i = 0; i < curve.points.size(); ++i) {
-                const double own = curve.points[i].own_rmse;
-                if (m == 0) first_rmse.push_back(own);
-                curve.worst_gap = std::max(curve.worst_gap, std::abs(own - first_rmse[i]));
-            }
             report.curves.push_back(std::move(curve));
+            ImageCurve& last = report.curves.back();
+            const auto begin = report.curves.begin() + first;
+            last.worst_gap = gap_between(last, *begin);
+            last.own_gap =
+                gap_between(last, *std::ranges::find(begin, report.curves.end(), method.machine, &ImageCurve::machine));
         }
     }
 
@@ -153,7 +161,10 @@ class ImageRun {
             point.rmse = roots[i];
             point.rmse_interval = root_mean_interval(squares, i, task_.seed);
             point.own_rmse = std::sqrt(squares.front()[i]);
-            for (const SetErrors& set : all) point.flip += set.flips[i] / double(all.size());
+            std::vector<double> flips;
+            for (const SetErrors& set : all) flips.push_back(set.flips[i]);
+            point.flip = mean_over_sets(flips);
+            point.flip_interval = mean_interval(flips, task_.seed);
             curve.points.push_back(point);
         }
         curve.fit = fit_power_over_sets(samples, squares, task_.seed);
@@ -215,6 +226,24 @@ ImagePlan plan_images(double seconds, const std::vector<double>& method_ms, doub
         if (plan.predicted_seconds <= seconds) break;
     }
     return plan;
+}
+
+std::vector<std::string> ImageReport::machines() const {
+    std::vector<std::string> names;
+    for (const ImageCurve& curve : curves)
+        if (std::ranges::find(names, curve.machine) == names.end()) names.push_back(curve.machine);
+    return names;
+}
+
+double ImageReport::own_gap(const std::string& machine) const {
+    double gap = 0;
+    for (const ImageCurve& curve : curves)
+        if (curve.machine == machine) gap = std::max(gap, curve.own_gap);
+    return gap;
+}
+
+bool ImageReport::same_images() const {
+    return std::ranges::all_of(curves, [](const ImageCurve& curve) { return curve.own_gap <= most_own_gap; });
 }
 
 ReferenceImage reference_image(const ImageTask& task, const std::function<void(float)>& progress,

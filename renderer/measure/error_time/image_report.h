@@ -47,7 +47,8 @@ struct ImagePoint {
     double rmse = 0;         // root of the mean square over the sets; the first set is the method's own
     Interval rmse_interval;  // over the sets; a point where the sampler leaves nothing to chance
     double own_rmse = 0;     // of the first set alone, as this method traced it
-    double flip = 0;         // mean FLIP of the same images
+    double flip = 0;         // mean FLIP of the same images, over pixels and sets
+    Interval flip_interval;  // over the sets, as that of rmse
     bool on_front = false;   // no other method and number of samples is both quicker and nearer to the reference
 };
 
@@ -59,14 +60,25 @@ struct ImageCurve {
     MedianInterval of_first;       // a frame's time over that of the first method's, round by round
     std::vector<ImagePoint> points;
     PowerFit fit;          // of rmse over samples
-    double worst_gap = 0;  // largest difference of own_rmse from the first method's, which must be rounding
+    double worst_gap = 0;  // largest difference of own_rmse from the first method's
+    double own_gap = 0;    // the same from the first method's on the curve's own machine: rounding, or a fault
 };
 
 struct ImageReport {
+    /// Traversals on one machine compute colours alike from the same hits: up to this their RMSE may differ.
+    static constexpr double most_own_gap = 1e-7;
+
     ImagePlan plan;
     std::vector<ImageCurve> curves;
     double reference_rmse = 0;  // what the reference itself may be off by, from its two halves
     bool complete = false;
+
+    /// Names, in the order of the curves.
+    [[nodiscard]] std::vector<std::string> machines() const;
+    /// The largest own_gap of its curves.
+    [[nodiscard]] double own_gap(const std::string& machine) const;
+    /// Whether no traversal changes the image, on any machine.
+    [[nodiscard]] bool same_images() const;
 };
 
 struct ImageTask {

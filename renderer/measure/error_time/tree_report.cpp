@@ -1,6 +1,7 @@
 #include "renderer/measure/error_time/tree_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/cpu/cpu_tracer.h"
@@ -205,6 +206,17 @@ double TreeRow::line_interior_ratio() const {
 }
 double TreeRow::line_test_ratio() const {
     return ratio(lines.tests / double(std::max<std::int64_t>(lines.rays, 1)), stats.expected_triangle_tests);
+}
+
+double TreeRow::line_error() const {
+    const auto off = [](double ratio) { return std::abs(ratio - 1); };
+    return std::max({off(line_cost_ratio()), off(line_interior_ratio()), off(line_test_ratio())});
+}
+
+double TreeReport::line_error() const {
+    double most = 0;
+    for (const TreeRow& row : rows) most = std::max(most, row.line_error());
+    return most;
 }
 
 std::optional<double> break_even(double build_a, double build_b, double frame_b, const MedianInterval& ratio) {

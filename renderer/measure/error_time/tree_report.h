@@ -55,9 +55,14 @@ struct TreeRow {
     [[nodiscard]] double line_cost_ratio() const;
     [[nodiscard]] double line_interior_ratio() const;
     [[nodiscard]] double line_test_ratio() const;
+    /// The largest distance of these three from 1.
+    [[nodiscard]] double line_error() const;
 };
 
 struct TreeReport {
+    /// Counted over predicted is off from 1 by no more where the cost is computed rightly: chance over the lines.
+    static constexpr double most_line_error = 0.05;
+
     std::vector<TreeRow> rows;
     std::size_t reference =
         0;             // row: `exact` with the default leaves where there is such a builder, else the least SAH cost
@@ -67,6 +72,10 @@ struct TreeReport {
     double frame_tau = 0;  // the same with the time of a frame
     int width = 0, height = 0;
     bool complete = false;
+
+    /// The largest of the rows.
+    [[nodiscard]] double line_error() const;
+    [[nodiscard]] bool lines_agree() const { return line_error() <= most_line_error; }
 };
 
 /// `progress` gets the fraction done and what runs. Incomplete where stopped.
