@@ -17,6 +17,7 @@ ImU32 colour_of(PaperVerdict verdict) {
     switch (verdict) {
         case PaperVerdict::reproduced: return theme::passed;
         case PaperVerdict::not_reproduced: return theme::error;
+        case PaperVerdict::arithmetic:
         case PaperVerdict::undecided: break;
     }
     return theme::dim_text;
@@ -56,8 +57,7 @@ void draw_tallies(const std::vector<PaperClaim>& claims) {
     std::vector<Tally> tallies;
     const float gap = theme::px(10);
     float width = 0;
-    for (const PaperVerdict verdict :
-         {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided}) {
+    for (const PaperVerdict verdict : measured_verdicts) {
         tallies.push_back({verdict, fmt::format("{}", std::ranges::count(claims, verdict, &PaperClaim::verdict))});
         width += ImGui::CalcTextSize(tallies.back().count.c_str()).x + gap;
     }

@@ -13,26 +13,6 @@ namespace kd {
 
 namespace {
 
-constexpr const char* style = R"(
-:root { color-scheme: light; }
-body { font: 16px/1.5 'Inter', 'DejaVu Sans', sans-serif; color: #222; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.7rem; margin-bottom: 0.2rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ccc; }
-p.lead { color: #555; margin-top: 0; }
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 0.82rem; width: 100%; }
-th, td { text-align: left; padding: 0.25rem 0.5rem; border-bottom: 1px solid #ddd; vertical-align: top; }
-th { color: #555; font-weight: 600; } td { font-variant-numeric: tabular-nums; }
-.verdict { font-weight: 600; white-space: nowrap; }
-.reproduced { color: #00664b; } .not-reproduced { color: #a34700; } .undecided { color: #555; }
-figure { margin: 1rem 0; break-inside: avoid; } figure img { width: 100%; height: auto; border: 1px solid #eee; }
-figcaption { font-size: 0.9rem; color: #444; }
-.pictures figure { display: inline-block; width: 31%; margin: 0 1.5% 1rem 0; vertical-align: top; }
-.pictures img { image-rendering: pixelated; }
-.claims td { padding: 0.45rem 0.6rem; } small { display: block; color: #666; font-size: 0.74rem; font-weight: 400; white-space: normal; }
-@page { size: A4 landscape; margin: 12mm; }
-@media print { body { max-width: none; margin: 0; font-size: 10px; } tr { break-inside: avoid; } figure img { max-height: 150mm; object-fit: contain; } .scroll { overflow: visible; } a { color: inherit; } }
-)";
-
 /// "not-reproduced": a class of the style sheet.
 std::string style_class(std::string verdict) {
     std::ranges::replace(verdict, ' ', '-');
@@ -85,20 +65,18 @@ std::string paragraph(const std::string& text) { return fmt::format("<p>{}</p>\n
 /// "5 reproduced, 4 not reproduced, 9 undecided".
 std::string tally(const std::vector<PaperClaim>& claims) {
     std::string text;
-    for (const PaperVerdict verdict : {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided})
+    for (const PaperVerdict verdict : measured_verdicts)
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
                             std::ranges::count(claims, verdict, &PaperClaim::verdict), name_of(verdict));
     return text;
 }
 
 std::string head_of(const PaperResults& results, const std::vector<PaperClaim>& claims) {
-    std::string html = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width\">\n<title>The paper again</title>\n<style>{}</style>\n</head>\n<body>\n"
-        "<h1>The paper again</h1>\n<p class=\"lead\">Ikrima Elhassan, “An Analysis of GPU-based Interactive "
-        "Raytracing”: its "
-        "experiments, made again by kdscope {} ({}). {}.</p>\n",
-        style, html_text(results.on.version), html_text(results.on.commit), html_text(tally(claims)));
+    std::string html =
+        fmt::format("<h1>The paper again</h1>\n<p class=\"lead\">Ikrima Elhassan, “An Analysis of GPU-based "
+                    "Interactive Raytracing”: "
+                    "its experiments, made again by kdscope {} ({}). {}.</p>\n",
+                    html_text(results.on.version), html_text(results.on.commit), html_text(tally(claims)));
     if (results.on.software_gl)
         html +=
             paragraph("OpenGL is a program here: the shaders ran on the CPU. What the paper claims of a GPU against a "
@@ -137,7 +115,7 @@ std::string paper_page(const PaperResults& results, const std::vector<PaperClaim
                   "median. Compiling, uploading and building are not in the times. The CPU tracers have as many "
                   "threads as the table says; the paper's processor had one.");
     html += table_html(run_table(results, claims), 2);
-    return html + "</body>\n</html>\n";
+    return html_page("The paper again", html);
 }
 
 void write_paper(const std::filesystem::path& folder, const PaperResults& results, const FileDone& file_done,

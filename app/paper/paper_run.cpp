@@ -66,13 +66,14 @@ class PaperRun {
         }
     }
 
-    /// Other scenes of the same make tell how far a ratio is the scene's own.
+    /// Other scenes of the same make tell how far a ratio is the scene's own: seeds after that of the scene.
     void compare_seeds() {
         const unsigned seeds = config_.quick ? 6 : 8;
         for (PaperScene& scene : results_.scenes) {
             if (scene.name != "scatter:10000" && scene.name != "sheet:10000") continue;
-            for (unsigned seed = 1; seed <= seeds && !stopped(); ++seed) {
-                tell(0.05f + 0.04f * float(seed) / float(seeds), fmt::format("nodes of {}, seed {}", scene.name, seed));
+            for (unsigned i = 1; i <= seeds && !stopped(); ++i) {
+                const unsigned seed = config_.base.seed + i;
+                tell(0.05f + 0.04f * float(i) / float(seeds), fmt::format("nodes of {}, seed {}", scene.name, seed));
                 scene.seed_node_ratios.push_back(seed_node_ratio(config_, scene.name, seed, stop_));
             }
         }

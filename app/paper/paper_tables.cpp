@@ -11,22 +11,26 @@ namespace {
 
 std::string ms_text(double ms) { return ms < 0 ? "" : fmt::format("{:.2f}", ms); }
 
-Json times_json(const PaperTimes& times) {
+Json rounds_json(const TimedRounds& timed) {
     Json rounds = Json::array();
-    for (const TimeSample& sample : times.timed.rounds) {
+    for (const TimeSample& sample : timed.rounds) {
         Json passes = Json::array();
         for (const double ms : sample.pass_ms) passes.push_back(ms < 0 ? Json(nullptr) : Json(ms));
         rounds.push_back({{"ms", sample.ms},
                           {"wall_ms", sample.wall_ms < 0 ? Json(nullptr) : Json(sample.wall_ms)},
                           {"pass_ms", passes}});
     }
+    return rounds;
+}
+
+Json times_json(const PaperTimes& times) {
     return {{"method", info(times.method).name},
             {"clock", times.clock},
             {"clock_discrepancy", times.timed.clock_discrepancy()},
             {"upload_ms", times.upload_ms},
             {"compile_ms", times.compile_ms},
             {"total", json_of(times.timed.total())},
-            {"rounds", rounds}};
+            {"rounds", rounds_json(times.timed)}};
 }
 
 Json scene_json(const PaperScene& scene) {
@@ -138,7 +142,7 @@ PaperTable run_table(const PaperResults& results, const std::vector<PaperClaim>&
     for (const auto& [name, value] : results.on.facts()) table.rows.push_back({name, value});
     table.rows.push_back({"picture", fmt::format("{} x {} pixels", results.width, results.height)});
     table.rows.push_back({"rounds", fmt::format("{} of all tracers in turn", results.rounds)});
-    for (const PaperVerdict verdict : {PaperVerdict::reproduced, PaperVerdict::not_reproduced, PaperVerdict::undecided})
+    for (const PaperVerdict verdict : measured_verdicts)
         table.rows.push_back({std::string(name_of(verdict)),
                               fmt::format("{}", std::ranges::count(claims, verdict, &PaperClaim::verdict))});
     for (const std::string& note : results.notes) table.rows.push_back({"note", note});
@@ -167,7 +171,9 @@ Json paper_json(const PaperResults& results, const std::vector<PaperClaim>& clai
         sizes.push_back({{"scene", s.scene},
                          {"nodes", s.nodes},
                          {"ms_16_bytes", json_of(s.wide.total())},
-                         {"ms_8_bytes", json_of(s.narrow.total())}});
+                         {"ms_8_bytes", json_of(s.narrow.total())},
+                         {"rounds_16_bytes", rounds_json(s.wide)},
+                         {"rounds_8_bytes", rounds_json(s.narrow)}});
     return {{"measured_on", json_of(results.on)},
             {"complete", results.complete},
             {"width", results.width},

@@ -56,7 +56,8 @@ TEST(PaperCounts, KdRestartVisitsTwiceAsManyNodesOnTheBallToo) {
     const PaperScene ball = counted("ball:9000");
     const double ratio = ball.node_ratio(Traversal::restart);
     EXPECT_GT(ratio, 2.0);
-    // Were traversal the 60 % of the time that section 5 says, these visits alone would cost more than the 15 % of 4.1.
+    // Were traversal the 60 % of the time that section 2.3.1 says, these visits alone would cost more than the 15 %
+    // of 4.1.
     EXPECT_GT(1 + 0.6 * (ratio - 1), 1.3);
 }
 

@@ -1,4 +1,5 @@
 // kdscope paper: the page, its tables and figures, and a whole small run.
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
@@ -28,6 +29,24 @@ void expect_numbers_in_tables(const fs::path& folder) {
     for (const std::string& number : numbers_in(page)) EXPECT_TRUE(known.contains(number)) << number;
 }
 
+/// The scene itself is not among those made from other seeds.
+void expect_other_seeds(const Json& json) {
+    int judged = 0;
+    for (const Json& scene : json["scenes"]) {
+        if (scene["seed_node_ratios"].empty()) continue;
+        const auto nodes = [&](const char* traversal) {
+            const auto is_it = [&](const Json& counts) { return counts["traversal"] == traversal; };
+            const Json all = (*std::ranges::find_if(scene["counts"], is_it))["all"];
+            return all["interior_first"].get<double>() + all["interior_again"].get<double>();
+        };
+        for (const Json& other : scene["seed_node_ratios"]) {
+            EXPECT_NE(other.get<double>(), nodes("restart") / nodes("stack")) << scene["scene"];
+            ++judged;
+        }
+    }
+    EXPECT_EQ(judged, 2 * 6);
+}
+
 TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
     const TestFolder folder;
     const test::Outcome outcome =
@@ -52,6 +71,10 @@ TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
     EXPECT_EQ(json["complete"], true);
     EXPECT_GE(json["rounds"], 6);
     EXPECT_EQ(json["scenes"].size(), paper_scenes().size());
+    expect_other_seeds(json);
+    for (const Json& sizes : json["node_sizes"])
+        for (const char* bytes : {"16", "8"})
+            EXPECT_EQ(sizes[fmt::format("rounds_{}_bytes", bytes)].size(), 9u) << bytes;
 }
 
 TEST(Paper, SyntheticResultsGiveAPageToo) {
@@ -62,7 +85,14 @@ TEST(Paper, SyntheticResultsGiveAPageToo) {
     EXPECT_EQ(told.back(), "index.html") << "last, so that a page has all its parts";
     expect_numbers_in_tables(folder.folder());
     expect_links_to_exist(folder.folder());
-    EXPECT_NE(read_file(folder.file("index.html")).find("class=\"verdict not-reproduced\""), std::string::npos);
+    const std::string page = read_file(folder.file("index.html"));
+    EXPECT_NE(page.find("class=\"verdict not-reproduced\""), std::string::npos);
+    // What follows from the paper's own numbers has a row, and is none of those counted.
+    EXPECT_NE(page.find("class=\"verdict arithmetic\""), std::string::npos);
+    const std::vector<PaperClaim> claims = judge_claims(results);
+    const auto count = std::ranges::count(claims, PaperVerdict::reproduced, &PaperClaim::verdict);
+    EXPECT_NE(page.find(fmt::format("{} reproduced, ", count)), std::string::npos);
+    EXPECT_EQ(std::ranges::find(claims, "B1c", &PaperClaim::id)->verdict, PaperVerdict::arithmetic);
 }
 
 TEST(Paper, AnInterruptWritesNothing) {

@@ -162,12 +162,14 @@ void overall(const PaperResults& r, std::vector<PaperClaim>& claims) {
     for (const PaperBudget& row : r.budgets)
         if (row.scene == "ball:2000" && row.budget == 255 && row.pixels > 0)
             share = exactly(double(row.unfinished) / double(row.pixels));
-    claims.push_back(judged({"E5a",
-                             "5",
-                             "The traversal loop persistently reached its ceiling at 2K triangles.",
-                             "share of the pixels of ball:2000 that kd-restart gives up after 255 steps",
-                             share,
-                             {0.01, 1}}));
+    claims.push_back(
+        judged({"E5a",
+                "5",
+                "The traversal loop persistently reached its ceiling at 2K triangles.",
+                "share of the pixels of ball:2000 that kd-restart gives up after 255 steps; that 1 % of them is "
+                "enough to call it reached is chosen here",
+                share,
+                {0.01, 1}}));
     claims.push_back(never("E5b", "5", "Branches cost more than small shaders and their load balancing would.",
                            "there is no tracer of many small shaders here to hold against the four passes"));
     claims.push_back(
@@ -188,13 +190,15 @@ void background(const PaperResults& r, std::vector<PaperClaim>& claims) {
             {"B1b " + sizes_of.scene, "2.3.1", "Nodes of 8 bytes instead of 16 gain 20 %.",
              fmt::format("time of the stack traversal of {} with nodes of 16 bytes over 8 bytes", sizes_of.scene),
              ratio_interval(sizes_of.wide.ms(), sizes_of.narrow.ms()), about_more(0.2)}));
-    claims.push_back(judged({"B1c",
-                             "2.2",
-                             "A 1024x1024 picture with 3 rays a pixel and 1 million triangles takes 3.1 "
-                             "trillion tests.",
-                             "1024 x 1024 x 3 rays times 1 million, in 10^12 (its own four passes cast 4 rays a pixel)",
-                             exactly(1024.0 * 1024.0 * 3.0 * 1e6 / 1e12),
-                             {3.05, 3.15}}));
+    claims.push_back({"B1c",
+                      "2.2",
+                      "A 1024x1024 picture with 3 rays a pixel and 1 million triangles takes 3.1 "
+                      "trillion tests.",
+                      "1024 x 1024 x 3 rays times 1 million, in 10^12 (its own four passes cast 4 rays a pixel)",
+                      exactly(1024.0 * 1024.0 * 3.0 * 1e6 / 1e12),
+                      {3.05, 3.15},
+                      PaperVerdict::arithmetic,
+                      "a product of the paper's own numbers: nothing is measured"});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ std::string_view name_of(PaperVerdict verdict) {
     switch (verdict) {
         case PaperVerdict::reproduced: return "reproduced";
         case PaperVerdict::not_reproduced: return "not reproduced";
+        case PaperVerdict::arithmetic: return "arithmetic";
         case PaperVerdict::undecided: break;
     }
     return "undecided";

@@ -1,6 +1,7 @@
 // Whether a measurement bears out what was printed.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -9,9 +10,13 @@
 
 namespace kd {
 
-enum class PaperVerdict { reproduced, not_reproduced, undecided };
+/// `arithmetic` follows from the paper's own numbers: nothing is measured, so nothing is reproduced.
+enum class PaperVerdict { reproduced, not_reproduced, undecided, arithmetic };
+/// What measurements come to: those that are counted.
+inline constexpr std::array measured_verdicts{PaperVerdict::reproduced, PaperVerdict::not_reproduced,
+                                              PaperVerdict::undecided};
 
-/// "reproduced", "not reproduced", "undecided".
+/// "reproduced", "not reproduced", "undecided", "arithmetic".
 [[nodiscard]] std::string_view name_of(PaperVerdict verdict);
 
 /// What is accepted as the same as the number printed, ends included.
