@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "app/error_time/error_time_charts.h"
 #include "app/frame/frame_tracer.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
@@ -76,6 +77,25 @@ TEST(ImageReportTest, TraversalsDifferInTimeAlone) {
         }
         EXPECT_LT(curve.points.back().flip, 0.6 * curve.points.front().flip) << "16 samples instead of one";
     }
+}
+
+TEST(ImageReportTest, FlipIsDrawnWithItsInterval) {
+    Images images;
+    images.task.methods.resize(1);
+    images.task.plan.sets = 3;
+    images.task.plan.most_samples = 2;
+    SceneErrorTime scene;
+    scene.images = report_images(images.task);
+    const std::vector<ErrorFigure> figures = image_figures(scene);
+    const Chart& flip = figures.back().chart;
+    ASSERT_EQ(flip.curves.size(), scene.images->curves.size());
+    for (std::size_t i = 0; i < flip.curves.size(); ++i)
+        for (std::size_t k = 0; k < flip.curves[i].points.size(); ++k) {
+            const Interval& interval = scene.images->curves[i].points[k].flip_interval;
+            ASSERT_TRUE(flip.curves[i].points[k].y_interval.has_value());
+            EXPECT_EQ(flip.curves[i].points[k].y_interval->low, interval.low);
+            EXPECT_EQ(flip.curves[i].points[k].y_interval->high, interval.high);
+        }
 }
 
 TEST(ImageReportTest, EachMachineIsHeldToItsOwnFirstMethod) {
