@@ -38,7 +38,12 @@ TEST(StabilitySweep, WritesJsonCsvAndATable) {
     EXPECT_EQ(json["values"].size() * 4, json["rows"].size()) << "three rules on the CPU, and double";
     const test::TestFolder folder;
     EXPECT_EQ(with({"--csv", folder.file("t.csv")}).code, 0);
-    EXPECT_EQ(std::ranges::count(read_file(folder.file("t.csv")), '\n'), std::ptrdiff_t(json["rows"].size()) + 1);
+    const std::string csv = read_file(folder.file("t.csv"));
+    const auto table = csv.find("case,parameter");
+    ASSERT_NE(table, std::string::npos);
+    EXPECT_EQ(std::ranges::count(csv.substr(table), '\n'), std::ptrdiff_t(json["rows"].size()) + 1);
+    EXPECT_NE(csv.substr(0, table).find("# cpu: "), std::string::npos) << "the machine stands before it";
+    EXPECT_TRUE(json["measured_on"].contains("cpu"));
     EXPECT_NE(with({}).out.find("angle between ray and plane"), std::string::npos);
 }
 

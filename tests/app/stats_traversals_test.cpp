@@ -86,7 +86,7 @@ TEST(WalkChoices, HaveNoEffectOnOtherWalksAndThatIsTold) {
 }
 
 TEST(StatsTraversals, RaysThatThereAreNoneOfAreSaidToBeNone) {
-    const Outcome outcome = run_kdscope({"stats", "ball:300", "--size", "8x8", "--traversals", "--rays", "reflection"});
+    const Outcome outcome = run_kdscope({"stats", "rooms", "--size", "8x8", "--traversals", "--rays", "reflection"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("no pixel has one"), std::string::npos) << outcome.out;
 }

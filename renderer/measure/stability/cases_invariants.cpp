@@ -54,7 +54,8 @@ void compare_renamed(CaseRun& run, const Original& original, const Subject& rena
             const double ulps = hits_alike ? ulps_between(hit.t, double(before.t)) : 0;
             row.worst_ulp = std::max(row.worst_ulp, ulps);
             const bool same_t = most_ulps == 0 ? same_bits(hit.t, before.t) : ulps <= most_ulps;
-            const bool same_triangle = !hits_alike || now == before.triangle || original.meets_at_its_t(i, now, most_ulps);
+            const bool same_triangle =
+                !hits_alike || now == before.triangle || original.meets_at_its_t(i, now, most_ulps);
             if (!hits_alike || !same_t || !same_triangle)
                 CaseRun::fail(row, fmt::format("{}: ray {}: before {}; now triangle {}, {}", what, exact_text(rays[i]),
                                                exact_text(before), now, exact_text(hit)));
