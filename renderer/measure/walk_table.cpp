@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/measure/ray_count.h"
 
 namespace kd {
 
@@ -40,6 +41,7 @@ double WalkRow::of(const WalkRow& stack) const {
 
 std::vector<WalkRow> walk_table(const WalkTableTask& task, std::stop_token stop) {
     std::vector<WalkRow> rows;
+    const RayCounts counts = count_rays(task.scene, task.tree, task.config, task.camera, task.width, task.height, stop);
     CpuTracer tracer(task.scene, task.tree);
     Frame frame(task.width, task.height);
     for (WalkVariant& variant : walk_variants(task.config)) {
@@ -48,6 +50,7 @@ std::vector<WalkRow> walk_table(const WalkTableTask& task, std::stop_token stop)
         if (stop.stop_requested()) break;
         WalkRow row{std::move(variant), {}};
         for (const RayCounters& counters : frame.layer(task.rays).counters.pixels) row.totals.add(counters);
+        row.totals.rays = std::uint64_t(counts[std::size_t(task.rays)]);  // a pixel may trace none, or several
         rows.push_back(std::move(row));
     }
     return rows;

@@ -26,7 +26,7 @@ struct WalkVariant {
 
 struct WalkRow {
     WalkVariant variant;
-    CounterTotals totals;  // of one kind of ray; `rays` counts pixels that have one
+    CounterTotals totals;  // of one kind of ray
 
     [[nodiscard]] std::uint64_t interior() const { return totals.interior_first + totals.interior_again; }
     /// Interior visits over those of `stack`; 0 where that has none.
