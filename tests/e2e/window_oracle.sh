@@ -49,8 +49,8 @@ error_share() {
     local at
     read -r -a at < <(place "PIXEL/$1")
     sleep 0.3
-    import -window root -crop "${at[2]%.*}x${at[3]%.*}+${at[0]%.*}+${at[1]%.*}" +repage -fuzz 15% \
-        -fill black +opaque '#d55e00' -format '%[fx:mean]' info:
+    import -window root -crop "${at[2]%.*}x${at[3]%.*}+${at[0]%.*}+${at[1]%.*}" +repage png:- |
+        convert png:- -fuzz 15% -fill black +opaque '#d55e00' -format '%[fx:mean]' info:
 }
 holds "$(error_share verdict) > 0.005" || fail "PIXEL does not name the verdict: $(error_share verdict)"
 holds "$(error_share "exact t") == 0" || fail "another row of PIXEL has the colour of errors"
