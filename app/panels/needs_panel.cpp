@@ -73,8 +73,8 @@ void draw_table(const std::vector<NeedRow>& rows, bool outdated, Edit& edit) {
     const float padding = theme::px(1);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {theme::px(6), padding});
     // Whole rows: half of one reads as the last.
-    const float row = ImGui::GetTextLineHeight() + 2 * padding;
-    const float height = row * std::max(2.0f, std::floor(ImGui::GetContentRegionAvail().y / row));
+    const float line = ImGui::GetTextLineHeight() + 2 * padding;
+    const float height = line * std::max(2.0f, std::floor(ImGui::GetContentRegionAvail().y / line));
     // Wider, a row would be hard to follow.
     const float width = std::min(ImGui::GetContentRegionAvail().x, theme::px(1100));
     if (ImGui::BeginTable("features", 6, flags, {width, height})) {

@@ -146,6 +146,7 @@ void draw_case(const EngineState& state, const StabilityCase& info, Edit& edit) 
     const auto paragraph = [](const char* heading, std::string_view text) {
         widgets::note(heading);
         widgets::note(text, theme::text);
+        Places::note(heading);
     };
     paragraph("construction", info.construction);
     paragraph("held against", info.oracle);

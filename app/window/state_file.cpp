@@ -138,6 +138,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
                     {"cpu_ms", state.duel.cpu.median_ms},
                     {"gl_ms", state.duel.gl.median_ms},
                     {"decided", state.duel.decided()},
+                    {"outdated", state.duel.outdated},
                     {"upload_ms", state.duel.gl_setup.upload_ms},
                     {"compile_ms", state.duel.gl_setup.compile_ms}};
     json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));

@@ -152,7 +152,7 @@ void draw_way(float share) {
     const ImU32 colour = ImGui::IsItemActive() || ImGui::IsItemHovered() ? theme::text : theme::dim_text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, high.y - height}, {at, high.y}, ImGui::GetColorU32(theme::faded(colour, 0.6f)));
-    list.AddRectFilled({at - theme::px(2), high.y - 2 * height}, {at + theme::px(2), high.y},
+    list.AddRectFilled({at - theme::px(2), high.y - height - theme::px(1)}, {at + theme::px(2), high.y},
                        ImGui::GetColorU32(colour));
 }
 
