@@ -51,10 +51,10 @@ kind "keys of the map" cpu
 drag 40 8 3
 xdotool keydown shift; drag 20 -6 4; xdotool keyup shift
 drag 20 -8 -3
-kind "drags, CPU" cpu
+kind "drags on the CPU" cpu
 scroll 4 20
 scroll 5 20
-kind "scrolling, CPU" cpu
+kind "scrolling on the CPU" cpu
 keys t t t r p Right Down Escape
 kind "keys of traversal and pixel" cpu
 xdotool key v
@@ -62,7 +62,7 @@ kind "V: CPU to GLSL" gl 5
 drag 20 8 3
 scroll 4 8
 scroll 5 8
-kind "drags and scrolling, GLSL" gl
+kind "drags and scrolls by GLSL" gl
 xdotool key v
 kind "V: GLSL to CPU" cpu 2
 for _ in $(times 4); do xdotool key b; sleep 1.5; done
