@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/window.md: the window at 1280x720, and every panel in use at 1920x1080.
 #
-#   docs/screenshots.sh [kdscope] [folder]
+#   docs/screenshots.sh [kdscope] [folder] [parts, such as "small_rooms panels_of_time": else all]
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 KDSCOPE=$(realpath -- "${1:-$root/build/release/kdscope}")
 folder=$(realpath -m -- "${2:-$root/docs/images}")
+parts=${3:-}
 export KDSCOPE
 
 if [[ -z ${KD_INSIDE_XVFB:-} ]]; then
     mkdir -p "$folder"
     for SCREEN in 1280x720 1920x1080; do
         export KD_INSIDE_XVFB=1 SCREEN
-        xvfb-run -a -s "-screen 0 ${SCREEN}x24" bash "$0" "$KDSCOPE" "$folder" || exit 1
+        xvfb-run -a -s "-screen 0 ${SCREEN}x24" bash "$0" "$KDSCOPE" "$folder" "$parts" || exit 1
     done
     exit 0
 fi
@@ -53,19 +54,24 @@ open_or_close() {
     done
     sleep 3
 }
-rounds() { wait_for "^duel.rounds=(${1}[0-9]|[1-9][0-9][0-9])\$" 120; }
+# Until TIME says who is faster, for the frame that is shown.
+decided() {
+    wait_for '^duel.outdated=false$' 120
+    wait_for '^duel.decided=true$' 120
+}
 
-small_pictures() {
+small_tour() {
     open ball:9000
     xdotool mousemove 560 330
-    rounds 1
+    decided
     shoot window
     press_all t
     xdotool click 1
     sleep 1
-    rounds 1
+    decided
     shoot restart
     press_all d
+    decided
     shoot divergence
     press_all h h s bracketleft
     shoot splits
@@ -73,10 +79,11 @@ small_pictures() {
     shoot help
     press_all Escape s v
     sleep 1
-    rounds 1
+    decided
     shoot gpu
     stop_window
-
+}
+small_stability() {
     open ball:9000 --rules as-published
     press_all y
     click_on "STABILITY/T16"
@@ -86,7 +93,8 @@ small_pictures() {
     hover 600 20
     shoot stability-sweep
     stop_window
-
+}
+small_needs() {
     open rooms --tracer gl-fragment
     press_all x
     click_on "NEEDS/measure"
@@ -97,7 +105,8 @@ small_pictures() {
     hover 600 20
     shoot needs
     stop_window
-
+}
+small_paper() {
     open ball:9000
     press_all shift+y
     click_on "PAPER/quick"
@@ -106,7 +115,8 @@ small_pictures() {
     hover 600 20
     shoot paper
     stop_window
-
+}
+small_divergence() {
     open ball:9000 --traversal restart
     press_all d shift+d
     wait_for '^widths.points=7$' 120
@@ -114,7 +124,8 @@ small_pictures() {
     hover 600 20
     shoot divergence-widths
     stop_window
-
+}
+small_error() {
     open cornell
     press_all e
     click_on "ERROR/sample"
@@ -125,16 +136,18 @@ small_pictures() {
     hover 600 20
     shoot error-time
     stop_window
-
+}
+small_rooms() {
     open rooms --traversal backtrack
     press_all s
     xdotool mousemove 700 250 click 1
-    rounds 1
+    decided
     shoot rooms
     press_all u
     shoot picture-alone 4
     stop_window
-
+}
+small_oracle() {
     open rooms --rules as-published
     click_on "top/Oracle"
     wait_for '^oracle.wrong=[1-9]'
@@ -143,12 +156,13 @@ small_pictures() {
     stop_window
 }
 
-panel_pictures() {
+panels_of_scene() {
     open scatter:10000
     drag_slider "SCENE/seed" 0.05 0.2
     shoot panel-scene 3
     stop_window
-
+}
+panels_of_tree() {
     open ball:9000
     open_or_close "TREE/more constants"
     drag_slider "TREE/empty bonus (b_e)" 0.22 0.8
@@ -190,13 +204,22 @@ panel_pictures() {
     wait_for '^last_export=.*csv$'
     shoot panel-export
     stop_window
-
+}
+panels_of_time() {
     open ball:9000 --traversal restart
     sleep 3
-    rounds 1
+    decided
     xdotool mousemove 340 860
     shoot panel-time
     stop_window
 }
 
-if [[ $SCREEN == 1280x720 ]]; then small_pictures; else panel_pictures; fi
+if [[ $SCREEN == 1280x720 ]]; then
+    all="small_tour small_stability small_needs small_paper small_divergence small_error small_rooms small_oracle"
+else
+    all="panels_of_scene panels_of_tree panels_of_time"
+fi
+for part in $all; do
+    [[ -z $parts || " $parts " == *" $part "* ]] && $part
+done
+exit 0

@@ -32,6 +32,10 @@ double per_ray(const WalkRow& row, std::uint64_t sum) {
 void print(std::ostream& out, const Table& table, const FlatScene& scene, const Session& session) {
     out << fmt::format("{}: {}; {}x{}, {} rays\n", table.scene, contents_text(scene), session.width, session.height,
                        ray_names[std::size_t(table.rays)]);
+    if (table.rows.empty() || table.rows.front().totals.rays == 0) {
+        out << "no pixel has one\n";
+        return;
+    }
     using enum TextTable::Align;
     TextTable text({{"per ray", left},
                     {"interior"},

@@ -103,6 +103,7 @@ void Convergence::follow(const Session& now) {
 void Convergence::begin_curve(const Session& session) {
     halves_ = std::vector<SampleMean>(2, SampleMean(session.width, session.height));
     for (auto& offsets : offsets_) offsets.clear();
+    sets_ = 0;  // the same samples for each curve of a sampler: what differs is what they cost
     state_.samples = 0;
     state_.seconds = 0;
     ConvergenceCurve curve{session, state_.sampler, {}};

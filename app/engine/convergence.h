@@ -81,7 +81,7 @@ class Convergence {
     ConvergenceState& state_;
     std::vector<SampleMean> halves_;
     std::vector<glm::dvec2> offsets_[2];  // of each half, still to be used
-    std::uint64_t sets_ = 0;              // of offsets made
+    std::uint64_t sets_ = 0;              // of offsets made for the curve that grows
 };
 
 }  // namespace kd

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "app/frame/frame_time.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
 #include "renderer/trace/frame.h"
@@ -29,6 +30,7 @@ struct DuelState {
     MedianInterval ratio;          // CPU time over GPU time, round by round
     double clock_discrepancy = 0;  // of the GPU's, as TimedRounds has it
     std::string cpu_clock, gl_clock;
+    SetupTimes gl_setup;                     // of the configuration timed
     Traversal traversal = Traversal::stack;  // of the frame timed
     bool outdated = true;                    // the rounds are of a frame that is no longer shown
     bool running = false;

@@ -1,5 +1,8 @@
 #include "app/engine/source.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "app/frame/gl_frame.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/timing.h"
@@ -39,18 +42,26 @@ class CpuSource final : public FrameSource {
 /// Cuts frames into tiles small enough to stop between.
 class GlSource final : public FrameSource {
   public:
-    GlSource(Context& context, std::function<void(int)> compiling)
-        : tracer_(context), software_(context.is_software()) {
-        tracer_.tell_compiling(std::move(compiling));
+    GlSource(Context& context, std::function<void(int)> compiling) : context_(context), tracer_(context) {
+        tracer_.tell_compiling([this, told = std::move(compiling)](int programs) {
+            compiled_now_ = compiled_now_ || programs > 0;
+            if (told) told(programs);
+        });
     }
 
     void prepare(const FrameTask& task, int width, int height) override {
         if (task.world != world_) {
-            tracer_.upload(task.world->scene(), task.world->tree);
+            setup_.upload_ms = wall_ms([&] {
+                tracer_.upload(task.world->scene(), task.world->tree);
+                context_.gl().Finish();
+            });
             world_ = task.world;
             drawer_.forget_speed();
         }
-        tracer_.prepare(complete(task), width, height);
+        compiled_now_ = false;
+        const GlTraceConfig config = complete(task);
+        const double ms = wall_ms([&] { tracer_.prepare(config, width, height); });
+        note_compiled(config, ms);
     }
 
     FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
@@ -60,24 +71,47 @@ class GlSource final : public FrameSource {
     }
 
     void wake(const FrameTask& task, const Frame& frame, const std::stop_token& stop) override {
-        if (!software_) drawer_.wake(tracer_, complete(task), task.camera, frame.width, frame.height, stop);
+        if (!context_.is_software())
+            drawer_.wake(tracer_, complete(task), task.camera, frame.width, frame.height, stop);
     }
 
     void read(const FrameTask& task, Frame& frame) override { frame = tracer_.read_frame(task.config); }
     [[nodiscard]] std::string clock() const override { return drawer_.clock(); }
+    [[nodiscard]] SetupTimes setup() const override { return setup_; }
 
   private:
     static constexpr double tile_ms = 10;
+    static constexpr std::size_t most_compiled = 16;
+
+    /// Programs stay: a configuration prepared again costs nothing, and its time is that of when it was new.
+    void note_compiled(const GlTraceConfig& config, double ms) {
+        auto known = std::ranges::find(compiled_, config, &Compiled::config);
+        if (known == compiled_.end()) {
+            if (compiled_.size() == most_compiled) compiled_.erase(compiled_.begin());
+            known = compiled_.insert(compiled_.end(), {config, ms});
+        } else if (compiled_now_) {
+            known->ms = ms;
+        }
+        setup_.compile_ms = known->ms;
+    }
 
     /// What is not counted for the maps is timed, and counts no shaded pixels either.
     static GlTraceConfig complete(const FrameTask& task) {
         return {.trace = task.config, .early_z = task.early_z, .count_shaded = task.config.counters};
     }
 
+    struct Compiled {
+        GlTraceConfig config;
+        double ms = 0;  // of the prepare() that made its programs
+    };
+
     std::shared_ptr<const World> world_;  // before the tracer that reads it
+    Context& context_;
     GlTracer tracer_;
-    bool software_;
     GlFrameDrawer drawer_{tile_ms};
+    std::vector<Compiled> compiled_;
+    bool compiled_now_ = false;  // in the prepare() that runs
+    SetupTimes setup_;
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ class FrameSource {
     /// Brings what trace() made into `frame`.
     virtual void read(const FrameTask& task, Frame& frame) = 0;
     [[nodiscard]] virtual std::string clock() const = 0;
+    /// Of the task prepared last: its upload, and its programs when they were made, which may be several tasks ago.
+    [[nodiscard]] virtual SetupTimes setup() const { return {}; }
 };
 
 [[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source();

@@ -360,6 +360,7 @@ void Engine::receive(const DuelReply& reply) {
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;
+    duel.gl_setup = reply.gl_setup;
     duel.traversal = state_.session.trace.traversal;
     duel.add(reply.round);
     note_rounds();

@@ -229,6 +229,7 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
         const FrameTime gl = time(source(TracerKind::gl_fragment));
         reply.round.gl = gl.sample();
         reply.gl_clock = gl_->clock();
+        reply.gl_setup = gl_->setup();
         return gl.complete;
     };
     // In one order and the reverse of it by turns, as time_in_turn() does.

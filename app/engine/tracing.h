@@ -38,6 +38,7 @@ struct DuelReply {
     int scale = 1;
     std::int64_t rays = 0;
     std::string cpu_clock, gl_clock;
+    SetupTimes gl_setup;
 };
 
 /// A frame's colours and its time in ms.

@@ -21,4 +21,11 @@ struct FrameTime {
     [[nodiscard]] TimeSample sample() const { return {total_ms, wall_ms > 0 ? wall_ms : -1, pass_ms}; }
 };
 
+/// What comes before the first frame, in ms; -1 where a tracer has no such step or nobody knows. Drivers may answer
+/// compilations from a cache.
+struct SetupTimes {
+    double upload_ms = -1;   // scene and tree, until the GPU has them
+    double compile_ms = -1;  // programs, targets and tables of the configuration prepared last
+};
+
 }  // namespace kd

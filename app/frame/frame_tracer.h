@@ -15,13 +15,6 @@
 
 namespace kd {
 
-/// What comes before the first frame, in ms; -1 where a tracer has no such step. Drivers may answer compilations from a
-/// cache.
-struct SetupTimes {
-    double upload_ms = -1;   // scene and tree, until the GPU has them
-    double compile_ms = -1;  // programs, targets and tables of the configuration prepared last
-};
-
 class FrameTracer {
   public:
     virtual ~FrameTracer() = default;

@@ -1,5 +1,6 @@
 // NEEDS: what the scene and the settings call for, what is left out, and what that saves. Each row can be put back.
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "app/panels/panel.h"
@@ -69,10 +70,14 @@ void draw_row(const NeedRow& row, bool outdated, Edit& edit) {
 
 void draw_table(const std::vector<NeedRow>& rows, bool outdated, Edit& edit) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {theme::px(6), theme::px(1)});
+    const float padding = theme::px(1);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {theme::px(6), padding});
+    // Whole rows: half of one reads as the last.
+    const float line = ImGui::GetTextLineHeight() + 2 * padding;
+    const float height = line * std::max(2.0f, std::floor(ImGui::GetContentRegionAvail().y / line));
     // Wider, a row would be hard to follow.
     const float width = std::min(ImGui::GetContentRegionAvail().x, theme::px(1100));
-    if (ImGui::BeginTable("features", 6, flags, {width, 0})) {
+    if (ImGui::BeginTable("features", 6, flags, {width, height})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("", 0);
         ImGui::TableSetupColumn("feature", 0, theme::px(140));
@@ -139,7 +144,7 @@ void draw_needs_panel(const EngineState& state, Edit& edit) {
     const std::vector<NeedRow> rows =
         need_rows(world.scene(), world.tree, world.facts, edit.session, state.needs.times);
     const bool outdated = state.needs_outdated();
-    ImGui::BeginChild("summary", {theme::px(190), 0}, false, ImGuiWindowFlags_NoScrollbar);
+    ImGui::BeginChild("summary", {theme::px(190), 0});
     draw_summary(state, rows, outdated, edit);
     ImGui::EndChild();
     ImGui::SameLine(0, theme::px(14));

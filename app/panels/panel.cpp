@@ -23,7 +23,7 @@ std::span<const Panel> panels() {
         {"TRACING", PanelPlace::left, 0, draw_tracing_panel},
         {"VIEW", PanelPlace::left, 0, draw_view_panel},
         {"PIXEL", PanelPlace::right, 0, draw_pixel_panel},
-        {"EXPORT", PanelPlace::right, 0, draw_export_panel},
+        {"EXPORT", PanelPlace::right, 0, draw_export_panel, "", true},
         {"TIME", PanelPlace::bottom, 0, draw_time_panel, "The same frame by CPU and GPU in turn."},
         {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel,
          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."},

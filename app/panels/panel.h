@@ -16,6 +16,7 @@ struct Panel {
     float open_from;  // open at first where the window is at least this high, in pixels at scale 1
     void (*draw)(const EngineState&, Edit&);
     const char* hint = "";  // of a bottom panel's tab
+    bool stays = false;     // in view while the panels above it scroll
 };
 
 [[nodiscard]] std::span<const Panel> panels();

@@ -48,17 +48,28 @@ void draw_run_buttons(const PaperState& paper, Edit& edit) {
     widgets::note(paper.what);
 }
 
-/// "7 · 2 · 1" at the right of the line: how many claims ended how.
+/// As short as a list has room for.
+const char* word_of(PaperVerdict verdict) {
+    switch (verdict) {
+        case PaperVerdict::reproduced: return "yes";
+        case PaperVerdict::not_reproduced: return "no";
+        case PaperVerdict::undecided: break;
+    }
+    return "open";
+}
+
+/// "7 yes  2 no  1 open" at the right of the line: how many claims ended how.
 void draw_tallies(const std::vector<PaperClaim>& claims) {
     struct Tally {
         PaperVerdict verdict;
         std::string count;
     };
     std::vector<Tally> tallies;
-    const float gap = theme::px(10);
+    const float gap = theme::px(8);
     float width = 0;
     for (const PaperVerdict verdict : measured_verdicts) {
-        tallies.push_back({verdict, fmt::format("{}", std::ranges::count(claims, verdict, &PaperClaim::verdict))});
+        tallies.push_back({verdict, fmt::format("{} {}", std::ranges::count(claims, verdict, &PaperClaim::verdict),
+                                                word_of(verdict))});
         width += ImGui::CalcTextSize(tallies.back().count.c_str()).x + gap;
     }
     ImGui::SameLine(std::max(0.0f, ImGui::GetContentRegionMax().x - width));
@@ -66,6 +77,7 @@ void draw_tallies(const std::vector<PaperClaim>& claims) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(tally.verdict));
         ImGui::TextUnformatted(tally.count.c_str());
         ImGui::PopStyleColor();
+        Places::note(word_of(tally.verdict));
         widgets::hint(fmt::format("Claims of the paper: {}.", name_of(tally.verdict)));
         ImGui::SameLine(0, gap);
     }
@@ -150,7 +162,7 @@ void draw_report(const PaperReport& report, Edit& edit) {
 
 void draw_paper_panel(const EngineState& state, Edit& edit) {
     const PaperState& paper = state.paper;
-    ImGui::BeginChild("run", {theme::px(210), 0}, false);
+    ImGui::BeginChild("run", {theme::px(224), 0}, false);
     draw_run_buttons(paper, edit);
     if (paper.report) draw_list(*paper.report, edit.window.paper);
     ImGui::EndChild();

@@ -26,11 +26,17 @@ bool holds(std::string_view text, const std::string& words) {
     return std::ranges::search(text, words, alike).begin() != text.end() || words.empty();
 }
 
-/// Green or vermilion where it has run, nothing otherwise.
-ImU32 verdict_colour(const EngineState& state, std::string_view id) {
+/// At the right of the last item, where the case has run: a green dot, or a cross where it failed.
+void draw_verdict_mark(const EngineState& state, std::string_view id) {
     const auto found = state.stability.verdicts.find(std::string(id));
-    if (found == state.stability.verdicts.end()) return 0;
-    return found->second->passed() ? theme::passed : theme::error;
+    if (found == state.stability.verdicts.end()) return;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float size = theme::px(4);
+    const ImVec2 at{high.x - 2 * size, (low.y + high.y) / 2};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (found->second->passed()) return list.AddCircleFilled(at, size, theme::passed);
+    for (const float slope : {-size, size})
+        list.AddLine({at.x - size, at.y - slope}, {at.x + size, at.y + slope}, theme::error, theme::px(2));
 }
 
 void draw_list(const EngineState& state, StabilityView& view) {
@@ -50,11 +56,7 @@ void draw_list(const EngineState& state, StabilityView& view) {
         if (view.id == info.id && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
         Places::note(info.id);
         widgets::hint(info.construction);
-        if (const ImU32 colour = verdict_colour(state, info.id)) {
-            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-            const ImVec2 at{high.x - theme::px(8), (low.y + high.y) / 2};
-            ImGui::GetWindowDrawList()->AddCircleFilled(at, theme::px(4), colour);
-        }
+        draw_verdict_mark(state, info.id);
     }
     ImGui::EndChild();
 }
@@ -141,16 +143,15 @@ void draw_case(const EngineState& state, const StabilityCase& info, Edit& edit) 
     draw_run_buttons(state, sweep, width, edit);
     draw_work(state, edit);
     if (sweep) draw_value_slider(*sweep, edit);
-    ImGui::BeginChild("texts");
     const auto paragraph = [](const char* heading, std::string_view text) {
         widgets::note(heading);
         widgets::note(text, theme::text);
+        Places::note(heading);
     };
     paragraph("construction", info.construction);
     paragraph("held against", info.oracle);
     paragraph("accepted", info.acceptance);
     if (!info.exempt.empty()) paragraph("may fail because", info.exempt);
-    ImGui::EndChild();
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
     const StabilityCase& info = chosen == stability_cases().end() ? stability_cases().front() : *chosen;
     const float gap = theme::px(14);
     const auto column = [&](const char* name, float width, const auto& draw) {
-        ImGui::BeginChild(name, {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
+        ImGui::BeginChild(name, {width, 0});
         draw();
         ImGui::EndChild();
     };

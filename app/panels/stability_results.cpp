@@ -96,7 +96,8 @@ void draw_reason(const StabilityReport& report, const StabilityView& view) {
                         true, theme::px(56)))
         ImGui::SetClipboardText(row->reason.c_str());
     ImGui::SameLine();
-    ImGui::BeginChild("reason");
+    ImGui::BeginChild("reason",
+                      {0, std::max(3 * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y)});
     widgets::note(row->reason, theme::text);
     ImGui::EndChild();
 }
@@ -109,8 +110,9 @@ void draw_verdicts(const EngineState& state, const StabilityCase& info, Stabilit
         return;
     }
     const StabilityReport& report = *found->second;
-    const float reason = 3 * ImGui::GetTextLineHeightWithSpacing();
-    draw_verdict_table(report, ImGui::GetContentRegionAvail().y - reason, view);
+    // Notes and reason stand below the table; where that leaves it too few rows, all of it scrolls.
+    const float reason = float(3 + report.notes.size()) * ImGui::GetTextLineHeightWithSpacing();
+    draw_verdict_table(report, std::max(theme::px(72), ImGui::GetContentRegionAvail().y - reason), view);
     for (const std::string& note : report.notes) widgets::note(note);
     draw_reason(report, view);
 }

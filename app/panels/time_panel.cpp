@@ -18,7 +18,7 @@ namespace kd {
 namespace {
 
 constexpr const char* none = "–";
-constexpr float tall_from = 176;  // pixels at scale 1
+constexpr float tall_from = 210, setup_from = 130;  // pixels at scale 1
 
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
@@ -135,6 +135,22 @@ void draw_passes(const EngineState& state) {
     ImGui::EndGroup();
 }
 
+/// What came before the GPU's first frame; dashes where nobody knows.
+std::string setup_text(double ms) { return ms < 0 ? none : ms_text(ms); }
+
+constexpr std::string_view upload_tip = "Scene and tree, until the GPU has them. Not part of a frame's time.";
+constexpr std::string_view compile_tip =
+    "Programs, targets and tables of this configuration, when they were made: drivers may have them in a cache. Not "
+    "part of a frame's time.";
+
+void draw_setup(const DuelState& duel) {
+    const auto row = [&](const char* label, double ms, std::string_view tip) {
+        widgets::value(label, setup_text(ms), tip, ms < 0 ? theme::dim_text : shade(duel, theme::gpu));
+    };
+    row("upload", duel.gl_setup.upload_ms, upload_tip);
+    row("compile", duel.gl_setup.compile_ms, compile_tip);
+}
+
 std::string clocks(const EngineState& state) {
     std::string text = fmt::format(
         "Both trace the frame that is shown, in turn, without counters; median and middle half of the last {} "
@@ -143,6 +159,8 @@ std::string clocks(const EngineState& state) {
     if (!state.duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", state.duel.gl_clock);
     if (state.duel.clock_discrepancy != 0)
         text += fmt::format("\nThe steady clock says {:+.1f} %.", 100 * state.duel.clock_discrepancy);
+    text += fmt::format("\nBefore the GPU's first frame: upload {}, compile {}.",
+                        setup_text(state.duel.gl_setup.upload_ms), setup_text(state.duel.gl_setup.compile_ms));
     if (state.gl.software) text += "\nThis GPU is a program: llvmpipe runs the shaders on the CPU.";
     return text;
 }
@@ -168,7 +186,8 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const std::string no_gpu = !state.gl.known || state.gl.available() ? waiting : "no OpenGL 4.3";
 
     // A panel dragged high has the plot below the numbers, as wide as the window, and no empty corner.
-    const bool tall = ImGui::GetContentRegionAvail().y >= theme::px(tall_from);
+    const float room = ImGui::GetContentRegionAvail().y;
+    const bool tall = room >= theme::px(tall_from);
     ImGui::Columns(tall ? 4 : 5, tall ? "tall" : "flat", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
     const float widths[] = {theme::px(136), theme::px(168), theme::px(222), theme::px(160)};
@@ -188,6 +207,7 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     draw_verdict(state, edit);
     ImGui::NextColumn();
     draw_passes(state);
+    if (room >= theme::px(setup_from)) draw_setup(duel);
     widgets::check("measure while idle", edit.window.timing, "Times both machines while nobody works with the window.");
     if (tall)
         ImGui::Columns(1);

@@ -52,6 +52,10 @@ WindowSize first_size(WindowSize free, float scale) {
     return {along(free.width, least_width), along(free.height, least_height)};
 }
 
+float upper_height(const ColumnHeights& heights, float room) {
+    return std::ceil(std::clamp(heights.scrolling, 1.0f, std::max({1.0f, room - heights.staying, room / 3})));
+}
+
 Layout divide(float width, float height, const LayoutSizes& sizes, float scale, bool panels) {
     const float top = std::round(top_height * scale);
     const float status = std::round(status_height * scale);

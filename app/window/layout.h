@@ -12,7 +12,7 @@ struct Rectangle {
 
 /// Sizes that a person can drag, in pixels at scale 1.
 struct LayoutSizes {
-    float left = 276, right = 228;
+    float left = 284, right = 220;
     float bottom = 0;  // one for all panels there; 0: as the window's height allows
     bool operator==(const LayoutSizes&) const = default;
 };
@@ -30,6 +30,15 @@ struct WindowSize {
 struct Layout {
     Rectangle top, left, picture, right, bottom, status;
 };
+
+/// What the panels of a column take: those that scroll where there is no room for all, and those that stay below them.
+struct ColumnHeights {
+    float scrolling = 0, staying = 0;
+    bool operator==(const ColumnHeights&) const = default;
+};
+
+/// Of a column `room` high what those that scroll get: all they need, or what those that stay leave, at least a third.
+[[nodiscard]] float upper_height(const ColumnHeights& heights, float room);
 
 /// Divides the window: the column at the left is as high as it can be, the bottom begins beside it. `panels` off gives
 /// everything but the top and status line to the picture. The picture keeps at least 40 % of the width and 30 % of the

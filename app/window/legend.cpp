@@ -13,13 +13,17 @@ namespace {
 
 ImU32 colour_of(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
-/// Rows below each other. Measured first and drawn on a second run, when the background's height is known.
+float least_width() { return theme::px(176); }
+
+/// Rows below each other. Measured first and drawn on a second run, when the background's size is known.
 class Card {
   public:
-    Card(ImDrawList* list, ImVec2 corner) : list_(list), corner_(corner), y_(corner.y) {}
+    Card(ImDrawList* list, ImVec2 corner, float width) : list_(list), corner_(corner), width_(width), y_(corner.y) {}
 
-    static float width() { return theme::px(176); }
+    [[nodiscard]] float width() const { return width_; }
     [[nodiscard]] float height() const { return y_ - corner_.y; }
+    /// That its rows take, so that no label touches its value.
+    [[nodiscard]] float widest() const { return widest_; }
     void gap(float n) { y_ += theme::px(n); }
 
     void text(const std::string& words, ImU32 colour, ImFont* font) {
@@ -29,19 +33,18 @@ class Card {
     }
 
     void row(const std::string& label, const std::string& value, ImU32 swatch = 0) {
-        const float line = ImGui::GetTextLineHeight();
+        const float left = swatch ? theme::px(15) : 0, right = ImGui::CalcTextSize(value.c_str()).x;
+        widest_ = std::max(widest_, left + ImGui::CalcTextSize(label.c_str()).x + theme::px(12) + right);
         if (list_) {
-            float x = corner_.x;
+            const float x = corner_.x;
             if (swatch) {
                 list_->AddRectFilled({x, y_ + theme::px(3)}, {x + theme::px(9), y_ + theme::px(12)}, swatch);
                 list_->AddRect({x, y_ + theme::px(3)}, {x + theme::px(9), y_ + theme::px(12)}, theme::line);
-                x += theme::px(15);
             }
-            list_->AddText({x, y_}, theme::dim_text, label.c_str());
-            list_->AddText({corner_.x + width() - ImGui::CalcTextSize(value.c_str()).x, y_}, theme::text,
-                           value.c_str());
+            list_->AddText({x + left, y_}, theme::dim_text, label.c_str());
+            list_->AddText({x + width_ - right, y_}, theme::text, value.c_str());
         }
-        y_ += line + theme::px(2);
+        y_ += ImGui::GetTextLineHeight() + theme::px(2);
     }
 
     /// Room for a drawing; `draw` gets the list and the top.
@@ -54,7 +57,8 @@ class Card {
   private:
     ImDrawList* list_;
     ImVec2 corner_;
-    float y_;
+    float width_, y_;
+    float widest_ = least_width();
 };
 
 constexpr const LegendLayout& layout = card_layout;
@@ -135,7 +139,7 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
     card.text("splits by depth", theme::text, theme::font(theme::Type::body));
     card.gap(4);
     card.drawing(theme::px(12), [&](ImDrawList& list, ImVec2 top) {
-        const float step = Card::width() / float(last + 1);
+        const float step = card.width() / float(last + 1);
         for (int depth = 0; depth <= last; ++depth) {
             const float x = top.x + step * float(depth);
             list.AddRectFilled({x, top.y}, {x + step - 1, top.y + theme::px(10)},
@@ -145,14 +149,20 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
     card.row("0: root", std::to_string(last));
 }
 
-float add_all(ImDrawList* list, ImVec2 corner, float bar, const Picture& picture) {
-    Card card(list, corner);
+void add_all(Card& card, float bar, const Picture& picture) {
     if (picture.map) add_map(card, bar, picture);
-    if (picture.view.overlay.show) {
-        if (picture.map) card.gap(6);
-        add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);
-    }
-    return card.height();
+    if (!picture.view.overlay.show) return;
+    if (picture.map) card.gap(6);
+    add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);
+}
+
+/// Rows first: their width says how texts wrap.
+ImVec2 measure(float bar, const Picture& picture) {
+    Card rows(nullptr, {0, 0}, least_width());
+    add_all(rows, bar, picture);
+    Card card(nullptr, {0, 0}, std::ceil(rows.widest()));
+    add_all(card, bar, picture);
+    return {card.width(), card.height()};
 }
 
 ImVec2 place_in(const Rectangle& area, ImVec2 size, Corner corner) {
@@ -181,7 +191,8 @@ void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner) 
     if (!picture.map && !picture.view.overlay.show) return;
     const float padding = theme::px(10);
     const float bar = bar_height(area);
-    const ImVec2 size{Card::width() + 2 * padding, add_all(nullptr, {0, 0}, bar, picture) + 2 * padding};
+    const ImVec2 inner = measure(bar, picture);
+    const ImVec2 size{inner.x + 2 * padding, inner.y + 2 * padding};
     const ImVec2 low = place_in(area, size, corner);
     if (low.x < area.x || low.y < area.y || size.x > area.width || size.y > area.height) return;  // no room for both
     ImGui::SetNextWindowPos(low);
@@ -195,7 +206,8 @@ void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner) 
     const ImVec2 high{low.x + size.x, low.y + size.y};
     list.AddRectFilled(low, high, theme::faded(theme::background, 0.9f), theme::px(4));
     list.AddRect(low, high, theme::outline, theme::px(4));
-    (void)add_all(&list, {low.x + padding, low.y + padding}, bar, picture);
+    Card card(&list, {low.x + padding, low.y + padding}, inner.x);
+    add_all(card, bar, picture);
     ImGui::End();
     ImGui::PopStyleVar();
 }

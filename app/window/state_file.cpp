@@ -132,9 +132,15 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
-    json["duel"] = {{"rounds", state.duel.rounds.size()}, {"width", state.duel.width},
-                    {"height", state.duel.height},        {"cpu_ms", state.duel.cpu.median_ms},
-                    {"gl_ms", state.duel.gl.median_ms},   {"decided", state.duel.decided()}};
+    json["duel"] = {{"rounds", state.duel.rounds.size()},
+                    {"width", state.duel.width},
+                    {"height", state.duel.height},
+                    {"cpu_ms", state.duel.cpu.median_ms},
+                    {"gl_ms", state.duel.gl.median_ms},
+                    {"decided", state.duel.decided()},
+                    {"outdated", state.duel.outdated},
+                    {"upload_ms", state.duel.gl_setup.upload_ms},
+                    {"compile_ms", state.duel.gl_setup.compile_ms}};
     json["camera"] = kd::json_of(to_scene_units(state.world->scene(), state.camera));
     if (const JudgedLayer* judged = state.judged()) json["wrong_places"] = judged->places.size();
     json["pixel_rays"] = ray_names[std::size_t(rays_read(edit))];

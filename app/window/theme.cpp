@@ -31,16 +31,16 @@ void set_colours(ImGuiStyle& style) {
     set(ImGuiCol_Header, raised);
     set(ImGuiCol_HeaderHovered, bright);
     set(ImGuiCol_HeaderActive, bright);
-    set(ImGuiCol_SliderGrab, IM_COL32(255, 255, 255, 56));  // the number shows through
-    set(ImGuiCol_SliderGrabActive, IM_COL32(255, 255, 255, 96));
+    set(ImGuiCol_SliderGrab, 0);  // it would lie behind the digits; sliders draw their own (widgets.cpp)
+    set(ImGuiCol_SliderGrabActive, 0);
     set(ImGuiCol_CheckMark, text);
     set(ImGuiCol_Separator, line);
     set(ImGuiCol_SeparatorHovered, bright);
     set(ImGuiCol_SeparatorActive, dim_text);
-    set(ImGuiCol_ScrollbarBg, background);
-    set(ImGuiCol_ScrollbarGrab, raised);
-    set(ImGuiCol_ScrollbarGrabHovered, bright);
-    set(ImGuiCol_ScrollbarGrabActive, dim_text);
+    set(ImGuiCol_ScrollbarBg, sunken);
+    set(ImGuiCol_ScrollbarGrab, bright);
+    set(ImGuiCol_ScrollbarGrabHovered, dim_text);
+    set(ImGuiCol_ScrollbarGrabActive, text);
     set(ImGuiCol_PlotHistogram, dim_text);
     set(ImGuiCol_TextSelectedBg, faded(selected, 0.5f));
 }
@@ -49,7 +49,7 @@ void set_sizes(ImGuiStyle& style, float scale) {
     style = ImGuiStyle();
     style.WindowPadding = {8, 8};
     style.FramePadding = {6, 2};
-    style.ItemSpacing = {8, 4};
+    style.ItemSpacing = {8, 3};
     style.ItemInnerSpacing = {4, 4};
     style.ScrollbarSize = 10;
     style.GrabMinSize = 8;

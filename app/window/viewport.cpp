@@ -94,8 +94,11 @@ void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edi
     if (over && io.MouseWheel != 0)
         edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel),
                                    glm::length(state.world->scene().bounds.extent()));
-    if (ImGui::IsItemActivated()) dragged_ = 0;
-    if (ImGui::IsItemActive()) handle_drag(area, state, edit);
+    // What the mouse moved in the frame of the press led to it: a jump and a click may come in one frame.
+    if (ImGui::IsItemActivated())
+        dragged_ = 0;
+    else if (ImGui::IsItemActive())
+        handle_drag(area, state, edit);
     handle_click(state, edit);
 }
 

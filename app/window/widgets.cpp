@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
 
 #include "app/window/list.h"
@@ -12,7 +14,7 @@ namespace kd::widgets {
 
 namespace {
 
-constexpr float label_share = 0.46f;
+constexpr float label_share = 0.48f;
 
 /// Identity of a control whose label stands elsewhere.
 std::string hidden(const char* label) { return std::string("##") + label; }
@@ -54,13 +56,14 @@ float control_width() {
 }
 
 void begin_row(const char* label, std::string_view tooltip) {
-    const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     hint(tooltip);
-    ImGui::SameLine(0, 0);
-    ImGui::SetCursorPosX(left + ImGui::GetContentRegionMax().x - left - control_width());
-    ImGui::SetNextItemWidth(control_width());
+    ImGui::SameLine(0, theme::px(4));
+    // A label longer than its share takes from its control.
+    const float right = ImGui::GetContentRegionMax().x;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right - control_width()));
+    ImGui::SetNextItemWidth(std::max(theme::px(40), right - ImGui::GetCursorPosX()));
 }
 
 void show_tooltip(std::string_view text, ImVec2 at) {
@@ -123,11 +126,44 @@ void note(std::string_view text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
+namespace {
+
+/// How far `number` is on the way from `low` to `high`, 0..1. A logarithmic way from 0 begins at the last digit that
+/// `format` shows, as Dear ImGui has it.
+float share_of_way(double number, double low, double high, const char* format, bool logarithmic) {
+    if (!(high > low)) return 0;
+    if (logarithmic) {
+        const char* point = std::strchr(format, '.');
+        if (low <= 0) low = std::pow(0.1, point ? std::atoi(point + 1) : 0);
+        number = std::log(std::max(number, low) / low);
+        high = std::log(high / low);
+        low = 0;
+    }
+    return float(std::clamp((number - low) / (high - low), 0.0, 1.0));
+}
+
+/// Of a slider, along its lower edge: a grab over the whole height would lie behind the digits.
+void draw_way(float share) {
+    if (ImGui::IsItemActive() && ImGui::GetIO().WantTextInput) return;  // a number is typed there
+    const float inset = theme::px(3), height = theme::px(2);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float left = low.x + inset, width = high.x - low.x - 2 * inset;
+    const float at = left + std::round(share * width);
+    const ImU32 colour = ImGui::IsItemActive() || ImGui::IsItemHovered() ? theme::text : theme::dim_text;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, high.y - height}, {at, high.y}, ImGui::GetColorU32(theme::faded(colour, 0.6f)));
+    list.AddRectFilled({at - theme::px(2), high.y - height - theme::px(1)}, {at + theme::px(2), high.y},
+                       ImGui::GetColorU32(colour));
+}
+
+}  // namespace
+
 bool slider(const char* label, float& number, float low, float high, const char* format, std::string_view tooltip,
             bool logarithmic) {
     begin_row(label, tooltip);
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     const bool changed = ImGui::SliderFloat(hidden(label).c_str(), &number, low, high, format, flags);
+    draw_way(share_of_way(double(number), double(low), double(high), format, logarithmic));
     Places::note(label);
     hint(tooltip);
     return changed;
@@ -137,6 +173,7 @@ bool slider(const char* label, int& number, int low, int high, const char* forma
     begin_row(label, tooltip);
     const bool changed =
         ImGui::SliderInt(hidden(label).c_str(), &number, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+    draw_way(share_of_way(number, low, high, format, false));
     Places::note(label);
     hint(tooltip);
     return changed;
@@ -179,7 +216,7 @@ bool combo(const char* label, std::string& name, const std::vector<Option>& opti
 
 bool choice(const char* label, std::string& name, const std::vector<Option>& options, std::string_view tooltip) {
     begin_row(label, tooltip);
-    return combo(label, name, options, tooltip, control_width());
+    return combo(label, name, options, tooltip, ImGui::GetContentRegionAvail().x);
 }
 
 bool choice(const char* label, int& index, const std::vector<Option>& options, std::string_view tooltip) {

@@ -199,27 +199,40 @@ void WindowLoop::draw_panels(const Layout& layout) {
     draw_top_bar(layout.top, state, edit_);
     draw_status_line(layout.status, state, edit_);
     if (!edit_.window.panels) return;
-    const auto draw_column = [&](const char* name, const Rectangle& area, PanelPlace place) {
-        begin_area(name, area, {theme::px(12), theme::px(8)},
-                   place == PanelPlace::bottom ? ImGuiWindowFlags_NoScrollbar : 0);
-        if (place == PanelPlace::bottom) draw_bottom_tabs(edit_);
-        for (const Panel& panel : panels()) {
-            if (panel.place != place || (place == PanelPlace::bottom && &panel != &bottom_panel())) continue;
-            const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
-            const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
-            const bool foldable = place != PanelPlace::bottom;
-            const bool open = !foldable || ImGui::CollapsingHeader(panel.title, flags);
-            if (foldable) Places::note(panel.title);
-            if (!open) continue;
-            const Section section(panel.title);
-            panel.draw(state, edit_);
-            ImGui::Dummy({0, theme::px(1)});
-        }
-        ImGui::End();
-    };
-    draw_column("##left", layout.left, PanelPlace::left);
-    draw_column("##right", layout.right, PanelPlace::right);
-    draw_column("##bottom", layout.bottom, PanelPlace::bottom);
+    draw_column("##left", layout.left, PanelPlace::left, false);
+    draw_right_column(layout.right);
+    draw_column("##bottom", layout.bottom, PanelPlace::bottom, false);
+}
+
+float WindowLoop::draw_column(const char* name, const Rectangle& area, PanelPlace place, bool staying) {
+    const bool bottom = place == PanelPlace::bottom;
+    const float padding = staying ? 0 : theme::px(8);
+    begin_area(name, area, {theme::px(12), padding}, bottom ? ImGuiWindowFlags_NoScrollbar : 0);
+    if (bottom) draw_bottom_tabs(edit_);
+    for (const Panel& panel : panels()) {
+        if (panel.place != place || panel.stays != staying || (bottom && &panel != &bottom_panel())) continue;
+        const bool tall = ImGui::GetIO().DisplaySize.y >= theme::px(panel.open_from);
+        const ImGuiTreeNodeFlags flags = tall ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+        const bool open = bottom || ImGui::CollapsingHeader(panel.title, flags);
+        if (!bottom) Places::note(panel.title);
+        if (!open) continue;
+        const Section section(panel.title);
+        panel.draw(engine_->state(), edit_);
+        ImGui::Dummy({0, theme::px(1)});
+    }
+    const float height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + padding;
+    ImGui::End();
+    return height;
+}
+
+/// Panels that stay follow the others where there is room for all, and stand at the lower end where the others scroll.
+void WindowLoop::draw_right_column(const Rectangle& area) {
+    const ColumnHeights before = right_heights_;
+    const float upper = upper_height(before, area.height);
+    right_heights_.scrolling = draw_column("##right", {area.x, area.y, area.width, upper}, PanelPlace::right, false);
+    right_heights_.staying =
+        draw_column("##staying", {area.x, area.y + upper, area.width, area.height - upper}, PanelPlace::right, true);
+    if (right_heights_ != before) lively_frames_ = std::max(lively_frames_, 2);  // drawn by the heights of before
 }
 
 void WindowLoop::apply_keys() {

@@ -49,6 +49,9 @@ class WindowLoop {
     void apply_scale();
     void present_frame();
     void draw_panels(const Layout& layout);
+    /// Returns how high its panels are.
+    float draw_column(const char* name, const Rectangle& area, PanelPlace place, bool staying);
+    void draw_right_column(const Rectangle& area);
     void take_keys();
     void take_buttons();
     [[nodiscard]] const Panel& bottom_panel() const;
@@ -75,6 +78,7 @@ class WindowLoop {
     float scale_ = 0;  // that theme and fonts were made for
     Edit edit_;
     Layout layout_;
+    ColumnHeights right_heights_;
     KeyQueue waiting_keys_;
     ButtonQueue waiting_buttons_;
     std::vector<KeyEvent> keys_;  // pressed, for the frame that begins

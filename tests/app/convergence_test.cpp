@@ -35,6 +35,35 @@ TEST(ConvergenceTest, TwoHalvesEstimateTheErrorOfTheirMean) {
     EXPECT_TRUE(state.curves.empty());
 }
 
+TEST(ConvergenceTest, CurvesOfOneSamplerDifferInTimeAlone) {
+    for (const Sampler sampler : {Sampler::independent, Sampler::stratified}) {
+        ConvergenceState state;
+        Convergence convergence(state);
+        Session session;
+        session.width = session.height = 1;
+        convergence.start(sampler);
+        // An edge through the pixel, which all walks see alike; one takes three times as long.
+        const auto sample = [&](Traversal traversal, double ms) {
+            session.trace.traversal = traversal;
+            for (int i = 0; i < 64; ++i) {
+                const glm::dvec2 offset = convergence.begin_or_go_on(session);
+                convergence.add(Image<Vec4>(1, 1, Vec4(offset.x + 0.3 * offset.y > 0.1 ? 1.0f : 0.0f)), ms);
+            }
+        };
+        sample(Traversal::stack, 10);
+        sample(Traversal::restart, 30);
+        ASSERT_EQ(state.curves.size(), 2u);
+        ASSERT_EQ(state.curves[0].points.size(), 6u);
+        ASSERT_EQ(state.curves[1].points.size(), 6u);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const auto &stack = state.curves[0].points[i], &restart = state.curves[1].points[i];
+            EXPECT_EQ(stack.samples, restart.samples);
+            EXPECT_EQ(stack.rmse, restart.rmse) << name_of(sampler) << ", " << stack.samples << " samples";
+            EXPECT_NEAR(restart.seconds, 3 * stack.seconds, 1e-9);
+        }
+    }
+}
+
 TEST(ConvergenceTest, CurvesLookAsOnThePageOfErrortime) {
     ConvergenceState state;
     const auto add = [&](Sampler sampler, Traversal traversal, TracerKind tracer, const std::string& builder) {

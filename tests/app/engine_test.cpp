@@ -251,6 +251,8 @@ TEST(Engine, MeasuresTheSameFrameAgainAndAgainWhileIdle) {
     EXPECT_EQ(duel.cpu.samples, int(duel.rounds.size()));
     EXPECT_GT(duel.cpu.median_ms, 0);
     EXPECT_LT(duel.rounds.back().gl.ms, 0) << "no GPU here";
+    EXPECT_LT(duel.gl_setup.upload_ms, 0);
+    EXPECT_LT(duel.gl_setup.compile_ms, 0);
     EXPECT_GE(duel.rays, duel.width * duel.height);
     engine.note_input();
     EXPECT_FALSE(engine.state().duel.running);
@@ -283,6 +285,23 @@ TEST(Engine, ARoundTimesPassesAndNamesItsClocks) {
     EXPECT_EQ(duel.cpu_clock, "steady clock");
     EXPECT_EQ(duel.gl_clock, engine.state().gl.software ? "finish + steady clock" : "timer query");
     EXPECT_EQ(engine.state().picture->traced.clock, "steady clock") << "the picture is the CPU's";
+
+    // Programs are made once: prepared for round after round, they keep the time that they took.
+    const SetupTimes setup = duel.gl_setup;
+    EXPECT_GT(setup.upload_ms, 0);
+    EXPECT_GT(setup.compile_ms, 0);
+    const std::size_t rounds = duel.rounds.size();
+    ASSERT_TRUE(wait_until(engine, [&](const EngineState& s) { return s.duel.rounds.size() >= rounds + 2; }));
+    EXPECT_EQ(engine.state().duel.gl_setup.upload_ms, setup.upload_ms);
+    EXPECT_EQ(engine.state().duel.gl_setup.compile_ms, setup.compile_ms);
+    // Another tree is uploaded anew, and its programs are those of before.
+    Session session = engine.state().session;
+    session.build.leaf_size = 9;
+    engine.set_session(session);
+    ASSERT_TRUE(wait_until(engine, [&](const EngineState& s) {
+        return !s.duel.outdated && s.duel.gl_setup.upload_ms != setup.upload_ms;
+    }));
+    EXPECT_EQ(engine.state().duel.gl_setup.compile_ms, setup.compile_ms);
 }
 
 TEST(Engine, EndsAtOnceInTheMiddleOfWork) {

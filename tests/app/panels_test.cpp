@@ -113,6 +113,28 @@ TEST_F(Panels, TexturesAreARowWhereThereAreSome) {
     EXPECT_TRUE(ui->sees("textures"));
 }
 
+TEST_F(Panels, LabelsEndBeforeTheirControls) {
+    show("scatter:60");
+    // As wide as the column is at first, with its scroll bar, and dragged narrow.
+    for (const float width : {LayoutSizes{}.left, LayoutSizes{}.left - 10, 220.0f}) {
+        const auto ui = draw("TREE", width);
+        ui->click_on("more constants");
+        for (const char* label : {"traversal cost (t_t)", "intersection cost (t_i)", "empty bonus (b_e)", "bonus gate",
+                                  "max depth", "bad refines", "reference cap", "trim leaves"}) {
+            const Rectangle control = ui->place(label);
+            EXPECT_LT(ImGui::GetStyle().WindowPadding.x + ImGui::CalcTextSize(label).x, control.x) << label;
+            EXPECT_LE(control.x + control.width, width) << label;
+        }
+    }
+}
+
+TEST_F(Panels, TimeHasDashesForAGpuThatNobodyKnows) {
+    show("scatter:60");
+    const auto ui = draw("TIME", 1000);
+    EXPECT_TRUE(ui->sees("upload"));
+    EXPECT_TRUE(ui->sees("compile"));
+}
+
 TEST_F(Panels, AReasonStandsBesideWhatIsAbsent) {
     show("scatter:60");
     const TraceConfig trace;

@@ -41,15 +41,18 @@ class Ui {
         return found != places_.all().end() && found->first.starts_with(beginning);
     }
 
+    /// Where a control is; nowhere, and a failure, where it is not to be seen.
+    [[nodiscard]] Rectangle place(const std::string& label) const {
+        const auto found = places_.all().find(label);
+        if (found != places_.all().end()) return found->second;
+        ADD_FAILURE() << "there is no '" << label << "' to be seen";
+        return {};
+    }
+
     /// A share of its width from its left.
     void point_at(const std::string& label, float share = 0.5f) {
-        const auto found = places_.all().find(label);
-        if (found == places_.all().end()) {
-            ADD_FAILURE() << "there is no '" << label << "' to be seen";
-            return;
-        }
-        const Rectangle& r = found->second;
-        move_to({r.x + share * r.width, r.y + r.height / 2});
+        const Rectangle r = place(label);
+        if (r.width > 0) move_to({r.x + share * r.width, r.y + r.height / 2});
     }
     void move_to(ImVec2 place) {
         ImGui::GetIO().MousePos = place;

@@ -170,6 +170,12 @@ TEST(Layout, TheBottomGrowsWithTheWindowUntilItIsDragged) {
     EXPECT_FLOAT_EQ(divide(2560, 1440, {}, 2, true).bottom.height, 408) << "at scale 2";
 }
 
+TEST(Layout, WhatStaysIsInViewWhereTheRestScrolls) {
+    EXPECT_FLOAT_EQ(upper_height({.scrolling = 300, .staying = 90}, 452), 300) << "right below the rest";
+    EXPECT_FLOAT_EQ(upper_height({.scrolling = 700, .staying = 90}, 452), 362);
+    EXPECT_FLOAT_EQ(upper_height({.scrolling = 700, .staying = 400}, 450), 150) << "some of both";
+}
+
 TEST(Layout, TheFirstWindowSuitsTheScreen) {
     EXPECT_EQ(first_size({1280, 720}, 1), (WindowSize{1280, 720}));
     EXPECT_EQ(first_size({1920, 1040}, 1), (WindowSize{1728, 936}));
@@ -229,12 +235,14 @@ TEST(Keys, TraversalKeyGoesRoundWithoutTheNaiveOne) {
     EngineState state;
     Edit edit;
     std::set<Traversal> seen;
-    for (int i = 0; i < 6; ++i) {
+    const Traversal first = edit.session.trace.traversal;
+    for (std::size_t i = 1; i < traversals().size(); ++i) {
         EXPECT_TRUE(apply_key('T', 0, state, edit));
         seen.insert(edit.session.trace.traversal);
     }
     EXPECT_EQ(seen.count(Traversal::naive), 0U);
     EXPECT_EQ(seen.size(), traversals().size() - 1);
+    EXPECT_EQ(edit.session.trace.traversal, first) << "all the way round";
     EXPECT_FALSE(apply_key('T', 2 /* Ctrl */, state, edit)) << "left to the desktop";
 }
 

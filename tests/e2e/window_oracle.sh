@@ -35,6 +35,26 @@ for _ in 1 2 3; do press shift+w; done
 [[ "$(value pinned.x),$(value pinned.y)" == "$first_x,$first_y" ]] || fail "not back at $first_x,$first_y"
 [[ $(value pinned.oracle.triangle) != "$(value pinned.primary.triangle)" ]] || fail "the verdict names the triangle found"
 
+# A click on a wrong pixel pins it, and PIXEL names its verdict, in the colour of errors.
+verdict=$(value pinned.oracle.verdict)
+press Escape
+wait_for '^pinned=null$'
+hover "$first_x" "$first_y"
+wait_for "^hovered.x=$first_x$" && wait_for "^hovered.y=$first_y$"
+hold && let_go
+wait_for "^pinned.x=$first_x$" && wait_for "^pinned.y=$first_y$"
+[[ $(value pinned.oracle.verdict) == "$verdict" ]] || fail "clicked on, it is '$(value pinned.oracle.verdict)', with W '$verdict'"
+# Share of a row of PIXEL in that colour.
+error_share() {
+    local at
+    read -r -a at < <(place "PIXEL/$1")
+    sleep 0.3
+    import -window root -crop "${at[2]%.*}x${at[3]%.*}+${at[0]%.*}+${at[1]%.*}" +repage png:- |
+        convert png:- -fuzz 15% -fill black +opaque '#d55e00' -format '%[fx:mean]' info:
+}
+holds "$(error_share verdict) > 0.005" || fail "PIXEL does not name the verdict: $(error_share verdict)"
+holds "$(error_share "exact t") == 0" || fail "another row of PIXEL has the colour of errors"
+
 # A camera that moves is compared anew.
 hover 200 150
 hold && move_by 4 8 3 && let_go

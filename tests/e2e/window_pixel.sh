@@ -41,6 +41,23 @@ wait_for "^pinned.x=$((width / 2 + 1))$"
 press Escape
 wait_for '^pinned=null$'
 
+# Moved and clicked within one frame, while the window is held: the press pins, and the way there turns nothing.
+camera() { state | grep '^camera\.'; }
+camera_before=$(camera)
+hover 20 30
+moves=$(inputs move) buttons=$(inputs button)
+left=$(value picture_area.0) top=$(value picture_area.1)
+kill -STOP "$window_pid"
+xdotool mousemove $((${left%.*} + width / 3)) $((${top%.*} + height / 3)) click 1
+kill -CONT "$window_pid"
+answered move "$moves" 1
+answered button "$buttons" 2
+[[ $(camera) == "$camera_before" ]] || fail "a jump of the mouse to a click turned the camera"
+wait_for "^pinned.x=$((width / 3))$"
+wait_for "^pinned.y=$((height / 3))$"
+press Escape
+wait_for '^pinned=null$'
+
 # A drag orbits and pins nothing.
 camera_before=$(value counters.primary.interior_first)
 hover $((width / 2)) $((height / 2))

@@ -4,6 +4,10 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:300
 wait_for '^duel.rounds=[1-9]'
+for row in upload compile; do
+    [[ -n $(place "TIME/$row") ]] || fail "'$row' is not to be seen at $SCREEN"
+    holds "$(value "duel.${row}_ms") > 0" || fail "$row took $(value "duel.${row}_ms") ms"
+done
 choose "TIME/size" half
 wait_for "^duel.width=$((($(value frame.width) + 1) / 2))$"
 wait_for '^duel.rounds=[3-9]'
