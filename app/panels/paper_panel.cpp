@@ -53,9 +53,10 @@ const char* word_of(PaperVerdict verdict) {
     switch (verdict) {
         case PaperVerdict::reproduced: return "yes";
         case PaperVerdict::not_reproduced: return "no";
-        case PaperVerdict::undecided: break;
+        case PaperVerdict::undecided: return "open";
+        case PaperVerdict::arithmetic: break;
     }
-    return "open";
+    return "sum";
 }
 
 /// "7 yes  2 no  1 open" at the right of the line: how many claims ended how.
