@@ -103,7 +103,7 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
         out << "passed\n";
     else
         out << fmt::format("passed as far as it was checked; {} not (see the notes)\n",
-                           counted(report.not_checked.size(), "machine or mode"));
+                           counted(report.not_checked.size(), "mode"));
 }
 
 /// What checks rays and what checks frames take different options.
