@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/window.md: the window at 1280x720, and every panel in use at 1920x1080.
 #
-#   docs/screenshots.sh [kdscope] [folder] [parts, such as "small_rooms panels_of_time": else all]
+#   docs/screenshots.sh [kdscope] [folder] [parts, such as "small_oracle panels_of_time": else all]
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 KDSCOPE=$(realpath -- "${1:-$root/build/release/kdscope}")
 folder=$(realpath -m -- "${2:-$root/docs/images}")
@@ -137,16 +137,6 @@ small_error() {
     shoot error-time
     stop_window
 }
-small_rooms() {
-    open rooms --traversal backtrack
-    press_all s
-    xdotool mousemove 700 250 click 1
-    decided
-    shoot rooms
-    press_all u
-    shoot picture-alone 4
-    stop_window
-}
 small_oracle() {
     open rooms --rules as-published
     click_on "top/Oracle"
@@ -215,7 +205,7 @@ panels_of_time() {
 }
 
 if [[ $SCREEN == 1280x720 ]]; then
-    all="small_tour small_stability small_needs small_paper small_divergence small_error small_rooms small_oracle"
+    all="small_tour small_stability small_needs small_paper small_divergence small_error small_oracle"
 else
     all="panels_of_scene panels_of_tree panels_of_time"
 fi
