@@ -97,6 +97,14 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
         if (!row.first_failure.empty() && told.insert(row.first_failure.substr(0, row.first_failure.find(": "))).second)
             out << fmt::format("first failure of {} {} {} on {} {}: {}\n", row.builder, row.traversal, row.leaf_lists,
                                row.tracer, row.context, row.first_failure);
+    const auto sum = [&](auto VerifyRow::*part) {
+        std::int64_t all = 0;
+        for (const VerifyRow& row : report.rows) all += row.*part;
+        return all;
+    };
+    out << fmt::format("{}: {} answers, {} mismatches, {} ties\n", counted(report.rows.size(), "row"),
+                       sum(&VerifyRow::pixel_rays) + sum(&VerifyRow::adversarial_rays), sum(&VerifyRow::mismatches),
+                       sum(&VerifyRow::ties));
     if (!report.passed())
         out << (report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");
     else if (report.not_checked.empty())
