@@ -29,7 +29,7 @@ class ScriptLegend {
     [[nodiscard]] std::string script(int top, int height) const;
 
   private:
-    static constexpr int sample = 34, row = 20;  // pixels
+    static constexpr int sample = 48, row = 20;  // pixels
 
     std::vector<LegendEntry> entries_;
     int width_, column_ = 1, columns_ = 1, rows_ = 0;
