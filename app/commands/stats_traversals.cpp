@@ -22,17 +22,16 @@ namespace {
 struct Table {
     std::string scene;
     Pass rays;
-    std::vector<WalkRow> rows;
-};
+    const std::vector<WalkRow>& rows;
 
-double per_ray(const WalkRow& row, std::uint64_t sum) {
-    return row.totals.rays > 0 ? double(sum) / double(row.totals.rays) : 0;
-}
+    [[nodiscard]] const CounterTotals& totals(const WalkRow& row) const { return row.totals[std::size_t(rays)]; }
+    [[nodiscard]] double of_stack(const WalkRow& row) const { return row.of(rows.front(), rays); }
+};
 
 void print(std::ostream& out, const Table& table, const FlatScene& scene, const Session& session) {
     out << fmt::format("{}: {}; {}x{}, {} rays\n", table.scene, contents_text(scene), session.width, session.height,
                        ray_names[std::size_t(table.rays)]);
-    if (table.rows.empty() || table.rows.front().totals.rays == 0) {
+    if (table.rows.empty() || table.totals(table.rows.front()).rays == 0) {
         out << "no pixel has one\n";
         return;
     }
@@ -46,11 +45,11 @@ void print(std::ostream& out, const Table& table, const FlatScene& scene, const 
                     {"of stack"},
                     {"published", left}});
     for (const WalkRow& row : table.rows) {
-        const auto number = [&](std::uint64_t sum) { return fmt::format("{:.2f}", per_ray(row, sum)); };
-        const CounterTotals& t = row.totals;
-        text.add_row({row.variant.name, number(row.interior()), number(t.interior_again), number(t.leaves),
+        const CounterTotals& t = table.totals(row);
+        const auto number = [&](std::uint64_t sum) { return fmt::format("{:.2f}", double(sum) / double(t.rays)); };
+        text.add_row({row.variant.name, number(row.interior(table.rays)), number(t.interior_again), number(t.leaves),
                       number(t.triangle_tests), number(t.restarts + t.backtracks),
-                      fmt::format("{:.2f}", row.of(table.rows.front())), row.variant.published});
+                      fmt::format("{:.2f}", table.of_stack(row)), row.variant.published});
     }
     text.print(out);
 }
@@ -64,19 +63,18 @@ Json json_of(const Table& table) {
                         {"optimised_ropes", row.variant.config.optimised_ropes},
                         {"eye_leaf", row.variant.config.eye_leaf},
                         {"entry_tile", row.variant.config.entry_tile},
-                        {"of_stack", row.of(table.rows.front())},
+                        {"of_stack", table.of_stack(row)},
                         {"published", row.variant.published},
-                        {"counters", kd::json_of(row.totals)}});
+                        {"counters", kd::json_of(table.totals(row))}});
     return {{"scene", table.scene}, {"rays", json_key(ray_names[std::size_t(table.rays)])}, {"walks", rows}};
 }
 
 std::string csv_of(const Table& table) {
     std::string csv;
     for (const WalkRow& row : table.rows) {
-        const CounterTotals& t = row.totals;
-        csv +=
-            csv_row(table.scene, ray_names[std::size_t(table.rays)], row.variant.name, t.rays, t.interior_first,
-                    t.interior_again, t.leaves, t.triangle_tests, t.restarts, t.backtracks, row.of(table.rows.front()));
+        const CounterTotals& t = table.totals(row);
+        csv += csv_row(table.scene, ray_names[std::size_t(table.rays)], row.variant.name, t.rays, t.interior_first,
+                       t.interior_again, t.leaves, t.triangle_tests, t.restarts, t.backtracks, table.of_stack(row));
     }
     return csv;
 }
@@ -100,22 +98,20 @@ int run_traversals(const CommonOptions& common, const DivergenceOptions& options
     Json all = Json::array();
     for (const std::string& name : common.scenes) {
         const auto [session, scene, tree, camera] = open_walked(common, name, context);
+        const std::vector<WalkRow> rows = walk_table({.scene = scene,
+                                                      .tree = tree,
+                                                      .config = session.trace,
+                                                      .camera = camera,
+                                                      .width = session.width,
+                                                      .height = session.height,
+                                                      .threads = session.threads},
+                                                     context.stop);
+        check_stop(context);
         for (const Pass rays : rays_of(scene, session.trace, options)) {
-            Table table{name, rays,
-                        walk_table({.scene = scene,
-                                    .tree = tree,
-                                    .config = session.trace,
-                                    .camera = camera,
-                                    .width = session.width,
-                                    .height = session.height,
-                                    .rays = rays,
-                                    .threads = session.threads},
-                                   context.stop)};
-            check_stop(context);
+            const Table table{name, rays, rows};
             if (!json) print(context.out, table, scene, session);
             csv += csv_of(table);
-            all.push_back(json_of(table));
-            all.back()["measured_on"] = kd::json_of(on);
+            all.push_back(with_machine(json_of(table), on));
         }
     }
     context.out << (json ? json_text(all) : explanation);

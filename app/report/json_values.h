@@ -39,11 +39,6 @@ using Json = nlohmann::ordered_json;
 /// A report with the machine that made it, under "measured_on".
 [[nodiscard]] Json with_machine(Json report, const MeasuredOn& on);
 
-/// Sums over the pixels of each pass, with the number of rays traced.
-[[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);
-/// Sums over all passes; the deepest stack is their maximum.
-[[nodiscard]] CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes);
-
 /// Indented text with a line end; text that is not UTF-8 is replaced, never thrown at.
 [[nodiscard]] std::string json_text(const Json& value);
 

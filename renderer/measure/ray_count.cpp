@@ -41,4 +41,19 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     return counts;
 }
 
+std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {
+    std::array<CounterTotals, pass_count> totals;
+    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+        for (const RayCounters& counters : frame.layers[pass].counters.pixels) totals[pass].add(counters);
+        totals[pass].rays = std::uint64_t(rays[pass]);  // a pixel may trace none, or several
+    }
+    return totals;
+}
+
+CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes) {
+    CounterTotals sum;
+    for (const CounterTotals& t : passes) sum.merge(t);
+    return sum;
+}
+
 }  // namespace kd

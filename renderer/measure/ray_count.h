@@ -7,6 +7,7 @@
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/counters.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/trace_config.h"
 
@@ -18,5 +19,10 @@ using RayCounts = std::array<std::int64_t, pass_count>;
 /// tracer and traversal traces the same rays. Incomplete where stopped.
 [[nodiscard]] RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConfig& config,
                                    const PinholeCamera& camera, int width, int height, std::stop_token stop = {});
+
+/// Sums over the pixels of each pass, with the number of rays traced.
+[[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);
+/// Sums over all passes; the deepest stack is their maximum.
+[[nodiscard]] CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes);
 
 }  // namespace kd

@@ -35,8 +35,13 @@ std::vector<WalkVariant> walk_variants(const TraceConfig& base) {
     return variants;
 }
 
-double WalkRow::of(const WalkRow& stack) const {
-    return stack.interior() > 0 ? double(interior()) / double(stack.interior()) : 0;
+std::uint64_t WalkRow::interior(Pass rays) const {
+    const CounterTotals& t = totals[std::size_t(rays)];
+    return t.interior_first + t.interior_again;
+}
+
+double WalkRow::of(const WalkRow& stack, Pass rays) const {
+    return stack.interior(rays) > 0 ? double(interior(rays)) / double(stack.interior(rays)) : 0;
 }
 
 std::vector<WalkRow> walk_table(const WalkTableTask& task, std::stop_token stop) {
@@ -48,10 +53,7 @@ std::vector<WalkRow> walk_table(const WalkTableTask& task, std::stop_token stop)
         variant.config.counters = true;
         tracer.trace_frame(variant.config, task.camera, frame, task.threads, stop);
         if (stop.stop_requested()) break;
-        WalkRow row{std::move(variant), {}};
-        for (const RayCounters& counters : frame.layer(task.rays).counters.pixels) row.totals.add(counters);
-        row.totals.rays = std::uint64_t(counts[std::size_t(task.rays)]);  // a pixel may trace none, or several
-        rows.push_back(std::move(row));
+        rows.push_back({std::move(variant), pass_totals(frame, counts)});
     }
     return rows;
 }

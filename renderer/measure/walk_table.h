@@ -1,6 +1,7 @@
 // What every traversal costs the same rays, counted: visits, tests, and ways back.
 #pragma once
 
+#include <array>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -26,21 +27,20 @@ struct WalkVariant {
 
 struct WalkRow {
     WalkVariant variant;
-    CounterTotals totals;  // of one kind of ray
+    std::array<CounterTotals, pass_count> totals;  // by kind of ray
 
-    [[nodiscard]] std::uint64_t interior() const { return totals.interior_first + totals.interior_again; }
+    [[nodiscard]] std::uint64_t interior(Pass rays) const;
     /// Interior visits over those of `stack`; 0 where that has none.
-    [[nodiscard]] double of(const WalkRow& stack) const;
+    [[nodiscard]] double of(const WalkRow& stack, Pass rays) const;
 };
 
-/// What is walked: the rays of one pass of a frame.
+/// The frame that is walked.
 struct WalkTableTask {
     const FlatScene& scene;
     const KdTree& tree;
     TraceConfig config;
     PinholeCamera camera;
     int width = 0, height = 0;
-    Pass rays = Pass::rt_prim;
     int threads = 0;
 };
 
