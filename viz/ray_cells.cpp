@@ -18,66 +18,74 @@ struct DrawRay {
     glm::dvec3 origin, direction;
     double begin, end;
 
-    /// Parameter where the ray enters the box; infinity where it does not.
-    [[nodiscard]] double entry(const Aabb& box) const {
+    struct Part {
+        double enters, leaves;  // infinite where there is none
+    };
+
+    /// The part of the ray within the box.
+    [[nodiscard]] Part part_in(const Aabb& box) const {
+        constexpr Part none{INFINITY, INFINITY};
         double near = begin;
         double far = end;
         for (int axis = 0; axis < 3; ++axis) {
             const double lower = double(box.lower[axis]) - origin[axis];
             const double upper = double(box.upper[axis]) - origin[axis];
             if (direction[axis] == 0) {
-                if (lower > 0 || upper < 0) return INFINITY;
+                if (lower > 0 || upper < 0) return none;
                 continue;
             }
             near = std::max(near, std::min(lower / direction[axis], upper / direction[axis]));
             far = std::min(far, std::max(lower / direction[axis], upper / direction[axis]));
         }
-        return near <= far ? near : INFINITY;
+        return near <= far ? Part{near, far} : none;
     }
 };
 
-void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, std::vector<WorldLine>& lines) {
+void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, DrawRay::Part part, RayCells& found) {
     const TreeNode& n = tree.nodes[static_cast<std::size_t>(cell.node)];
     if (n.is_leaf()) {
-        add_box(cell, lines);
+        found.leaves.push_back({cell.node, cell.depth, float(part.enters), float(part.leaves)});
+        add_box(cell, found.lines);
         return;
     }
-    add_plane(n, cell, lines);
+    add_plane(n, cell, found.lines);
     const Cell below = child_below(n, cell);
     const Cell above = child_above(n, cell);
-    const double enters_below = ray.entry(below.box);
-    const double enters_above = ray.entry(above.box);
+    const DrawRay::Part in_below = ray.part_in(below.box);
+    const DrawRay::Part in_above = ray.part_in(above.box);
     const bool below_first =
-        enters_below < enters_above || (enters_below == enters_above && ray.direction[n.flag] >= 0);
-    const auto visit = [&](const Cell& child, double enters) {
-        if (std::isfinite(enters)) walk_along_ray(tree, ray, child, lines);
+        in_below.enters < in_above.enters || (in_below.enters == in_above.enters && ray.direction[n.flag] >= 0);
+    const auto visit = [&](const Cell& child, DrawRay::Part in_child) {
+        if (std::isfinite(in_child.enters)) walk_along_ray(tree, ray, child, in_child, found);
     };
-    if (below_first) visit(below, enters_below);
-    visit(above, enters_above);
-    if (!below_first) visit(below, enters_below);
+    if (below_first) visit(below, in_below);
+    visit(above, in_above);
+    if (!below_first) visit(below, in_below);
 }
 
 }  // namespace
 
-std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end) {
-    std::vector<WorldLine> lines;
+RayCells cells_along_ray(const KdTree& tree, const Ray& ray, float t_end) {
+    RayCells found;
+    if (tree.bounds.empty()) return found;
     const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), double(t_end)};
-    const Cell root{0, 0, tree.bounds};
-    if (!tree.bounds.empty() && std::isfinite(draw_ray.entry(root.box))) walk_along_ray(tree, draw_ray, root, lines);
-    return lines;
+    const DrawRay::Part part = draw_ray.part_in(tree.bounds);
+    if (std::isfinite(part.enters)) walk_along_ray(tree, draw_ray, {0, 0, tree.bounds}, part, found);
+    return found;
 }
 
-std::vector<ScreenLine> ray_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height, int x, int y,
-                                  const Hit& hit, std::size_t most) {
+PixelCells pixel_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height, int x, int y,
+                       const Hit& hit, std::size_t most) {
     const Ray ray = camera_ray(camera, int2(x, y), int2(width, height));
     const Projection projection(camera, width, height);
-    std::vector<ScreenLine> lines;
-    for (const WorldLine& line : lines_along_ray(tree, ray, hit.triangle >= 0 ? hit.t : ray.t_max)) {
-        if (lines.size() >= most) break;
+    RayCells found = cells_along_ray(tree, ray, hit.triangle >= 0 ? hit.t : ray.t_max);
+    PixelCells cells{std::move(found.leaves), {}};
+    for (const WorldLine& line : found.lines) {
+        if (cells.lines.size() >= most) break;
         if (const auto s = projection.project_segment(line.a, line.b))
-            lines.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
+            cells.lines.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth, line.node});
     }
-    return lines;
+    return cells;
 }
 
 }  // namespace kd

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/io/printable.h"
+#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -171,19 +172,29 @@ Camera Engine::camera_in_use() const { return state_.session.camera.value_or(sta
 void Engine::read_probes() {
     state_.hovered.reset();
     state_.pinned.reset();
-    state_.ray_cells.clear();
+    state_.cells = {};
     if (!state_.picture) return;
     const TracedFrame& shown = state_.picture->traced;
     if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
     if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
     for (auto* reading : {&state_.hovered, &state_.pinned})
         if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
-    const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
-    if (!probe || !state_.session.view.overlay.show) return;
+    if (state_.pinned)
+        read_cells(*state_.pinned);
+    else if (state_.hovered && state_.session.view.overlay.show)
+        read_cells(*state_.hovered);
+}
+
+void Engine::read_cells(const PixelReading& probe) {
+    const TracedFrame& shown = state_.picture->traced;
     const int width = state_.session.width;
     const int height = state_.session.height;
-    state_.ray_cells = ray_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe->pixel.x,
-                                 probe->pixel.y, probe->primary().hit);
+    state_.cells = pixel_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe.pixel.x,
+                               probe.pixel.y, probe.primary().hit);
+    for (RayLeaf& leaf : state_.cells.leaves) {
+        leaf.enters = to_scene_units(shown.world->scene(), leaf.enters);
+        leaf.leaves = to_scene_units(shown.world->scene(), leaf.leaves);
+    }
 }
 
 }  // namespace kd

@@ -104,6 +104,7 @@ class Engine {
     void note_rounds();
     [[nodiscard]] Session configuration_shown() const;
     void read_probes();
+    void read_cells(const PixelReading& probe);
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
 

@@ -34,6 +34,7 @@ void Engine::start_load() {
     const unsigned seed = state_.session.seed;
     builder_.cancel();
     state_.building = {};
+    if (state_.refused) std::erase_if(state_.messages, [&](const Message& m) { return m.text == state_.refused->why; });
     state_.refused.reset();
     if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
         loader_.cancel();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/engine/engine.h"
 #include "app/window/camera_moves.h"
@@ -13,6 +14,12 @@
 namespace kd {
 
 Pass rays_read(const Edit& edit) { return edit.window.pixel_rays.value_or(edit.session.view.map.rays); }
+
+const RayLeaf* lit_leaf(const EngineState& state, const Edit& edit) {
+    const std::vector<RayLeaf>& leaves = state.cells.leaves;
+    if (!state.pinned || !edit.window.step || leaves.empty()) return nullptr;
+    return &leaves[std::min(std::size_t(*edit.window.step), leaves.size() - 1)];
+}
 
 }  // namespace kd
 
@@ -108,6 +115,7 @@ void open_typed(Edit& edit) {
     WindowSettings& window = edit.window;
     if (window.scene_text.empty()) return;
     window.scene_asked = home_long(window.scene_text).string();
+    window.scene_awaited = true;
     if (edit.session.scene != window.scene_asked) choose_scene(edit, window.scene_asked);
 }
 
@@ -117,6 +125,7 @@ void settle_typed(const EngineState& state, Edit& edit) {
     if (!there) return;
     if (home_long(window.scene_text).string() == window.scene_asked) window.scene_text.clear();
     window.scene_asked.clear();
+    window.scene_awaited = false;
 }
 
 std::string why_refused(const EngineState& state, const Edit& edit) {
@@ -228,6 +237,30 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     PixelPosition& p = *edit.window.pinned;
     p.x = std::clamp(p.x + dx, 0, std::max(0, state.session.width - 1));
     p.y = std::clamp(p.y + dy, 0, std::max(0, state.session.height - 1));
+}
+
+void step_ray(const EngineState& state, Edit& edit, int by) {
+    std::optional<int>& step = edit.window.step;
+    if (!edit.window.pinned) {
+        edit.window.pinned = edit.hovered;
+        step.reset();
+    }
+    if (!edit.window.pinned) return;
+    const int last = state.pinned ? int(state.cells.leaves.size()) - 1 : 0;
+    const int next = std::min(step.value_or(-1) + by, last);
+    step = next < 0 ? std::nullopt : std::optional(next);
+}
+
+void compare(Edit& edit) {
+    Session shown = edit.window.other.value_or(edit.session);
+    const Session& before = edit.session;
+    shown.scene = before.scene;
+    shown.seed = before.seed;
+    shown.camera = before.camera;
+    shown.width = before.width;
+    shown.height = before.height;
+    edit.window.other = std::exchange(edit.session, shown);
+    edit.window.shows_b = !edit.window.shows_b;
 }
 
 void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {

@@ -51,12 +51,16 @@ struct WindowSettings {
     float text_scale = 1;  // of everything, over the display's own scale
     std::optional<PixelPosition> pinned;
     std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
+    std::optional<int> step;         // of the pinned pixel's ray: the leaf that is lit, from 0
+    std::optional<Session> other;    // of two configurations the one that is not shown; none before there are two
+    bool shows_b = false;            // the second of the two, the first is A
     CameraStyle camera_style = CameraStyle::orbit;
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
     bool logarithmic = false;               // wished for; maps without such a scale are linear all the same
     std::string scene_text;                 // typed into SCENE, not opened yet
     std::string scene_asked;                // the scene that it stood for when Enter was pressed last
+    bool scene_awaited = false;             // it was asked for, and neither came nor was refused yet
     std::string folder = ".";               // of exported files; "~" stands for the home folder
     float fly_speed = 1;                    // times the scene's size per 4 seconds
     std::vector<std::string> recent_files;  // scenes opened from files, newest first
@@ -110,6 +114,9 @@ inline constexpr const char* divergence_panel = "DIVERGENCE";
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
 
+/// The leaf that is lit along the pinned pixel's ray; null where none is.
+[[nodiscard]] const RayLeaf* lit_leaf(const EngineState& state, const Edit& edit);
+
 /// Changes that panels and keys share.
 namespace edits {
 void show_beauty(Edit& edit);
@@ -158,6 +165,11 @@ void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
+/// The leaf lit along the pinned pixel's ray, which is the one under the mouse where none is pinned: the next one (+1),
+/// or the one before (-1), which is none before the first.
+void step_ray(const EngineState& state, Edit& edit, int by);
+/// Between two configurations, A and B, of one scene seen by one camera. B begins as a copy of A.
+void compare(Edit& edit);
 /// Pins the next place where pixels are wrong by the oracle, or the one before; chooses the oracle's map where none was
 /// compared.
 void pin_wrong(const EngineState& state, Edit& edit, bool backwards);

@@ -44,6 +44,31 @@ void draw_counters(const PassReading& ray) {
     count("deepest stack", c.stack_depth, "Most far children that waited at one time.");
 }
 
+/// The leaves along the primary ray of the pinned pixel, and the one that a person stepped to.
+void draw_step(const EngineState& state, Edit& edit) {
+    const RayLeaf* leaf = lit_leaf(state, edit);
+    const auto all = state.pinned ? std::ptrdiff_t(state.cells.leaves.size()) : 0;
+    ImGui::Dummy({0, theme::px(2)});
+    widgets::begin_row("leaf",
+                       "Keys . and , step along the pinned pixel's ray, leaf by leaf; the leaf is drawn over the "
+                       "picture. With the splits (key S) all of them are.");
+    if (widgets::button("<", "The leaf before it. Key ,", leaf != nullptr, 0)) edits::step_ray(state, edit, -1);
+    ImGui::SameLine();
+    if (widgets::button(">", "The next leaf along the ray. Key .", all > 0, 0)) edits::step_ray(state, edit, 1);
+    ImGui::SameLine();
+    const std::ptrdiff_t number = leaf != nullptr ? leaf - state.cells.leaves.data() + 1 : 0;
+    ImGui::TextUnformatted((number > 0 ? fmt::format("{} of {}", number, all)
+                            : all > 0  ? std::to_string(all)
+                                       : none)
+                               .c_str());
+    widgets::value("  from t, to",
+                   leaf ? fmt::format("{}, {}", number_text(leaf->enters), number_text(leaf->leaves)) : none,
+                   "Where the ray enters the leaf and leaves it, or ends; in scene units.");
+    const int triangles = leaf ? state.picture->traced.world->tree.nodes[std::size_t(leaf->node)].count : 0;
+    widgets::value("  depth, triangles", leaf ? fmt::format("{}, {}", leaf->depth, triangles) : none,
+                   "Of the leaf: the splits above it, and the triangles in its list.");
+}
+
 /// Whose walk is read: the map's rays unless one kind is chosen.
 void draw_rays(const EngineState& state, Edit& edit) {
     const std::string shown(ray_names[std::size_t(edit.session.view.map.rays)]);
@@ -98,6 +123,7 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
     draw_counters(ray);
     draw_other_rays(state, edit, reading, read);
+    draw_step(state, edit);
     ImGui::PopStyleVar();
     const bool pinned = edit.window.pinned.has_value();
     if (widgets::button("release pixel",

@@ -3,6 +3,7 @@
 #include <imgui.h>
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>
+#include <utility>
 
 #include "app/panels/applies.h"
 #include "app/panels/panel.h"
@@ -29,6 +30,9 @@ bool takes_seed(const std::string& scene) {
 
 /// A field for any scene there is: names with their sizes, files by their paths.
 void draw_open(const EngineState& state, Edit& edit) {
+    const std::string refused = edits::why_refused(state, edit);
+    // Enter took the keys away from the field; who mistyped goes on typing there, not pressing keys of the window.
+    if (!refused.empty() && std::exchange(edit.window.scene_awaited, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     const bool entered = ImGui::InputTextWithHint("##open", "open: scatter:5000, ~/model.glb", &edit.window.scene_text,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
@@ -37,7 +41,6 @@ void draw_open(const EngineState& state, Edit& edit) {
         "Enter opens a scene by its name and number of triangles, such as ball:20000 or stress:T16=1e-4, or a "
         ".gltf or .glb file by its path.");
     if (entered) edits::open_typed(edit);
-    const std::string refused = edits::why_refused(state, edit);
     if (refused.empty()) return;
     widgets::note(refused, theme::error);
     Places::note("refused");

@@ -166,7 +166,7 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
         draw();
         ImGui::EndChild();
     };
-    column("list", theme::px(200), [&] { draw_list(state, view); });
+    column("list", theme::px(224), [&] { draw_list(state, view); });
     ImGui::SameLine(0, gap);
     column("case", theme::px(296), [&] { draw_case(state, info, edit); });
     ImGui::SameLine(0, gap);

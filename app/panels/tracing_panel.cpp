@@ -67,7 +67,7 @@ void draw_tracer(const EngineState& state, Edit& edit) {
     ImGui::BeginDisabled(!why.empty());
     if (widgets::choice("tracer", index,
                         {{"CPU", "The shared text as C++, on all cores."},
-                         {"GPU, 4 passes",
+                         {"GPU, GLSL passes",
                           "The same text as GLSL: RTPrim, ShadePrim, RTRefl and ShadeRefl draw one quad each, with the "
                           "tree in textures."}},
                         "Which machine makes the picture. Key V. Option --tracer." + why))

@@ -83,6 +83,20 @@ void draw_modes(Edit& edit) {
         edit.session.view.overlay.show = !view.overlay.show;
 }
 
+/// Two settings to go back and forth between.
+void draw_comparison(Edit& edit) {
+    const bool b = edit.window.shows_b;
+    const char* about = "Two settings, A and B, of everything but scene and camera. B begins as a copy of A: change "
+                        "it, and go back and "
+                        "forth. Key Tab.";
+    ImGui::SameLine(0, theme::px(12));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1, 0});
+    if (widgets::segment("A", !b, about) && b) edits::compare(edit);
+    ImGui::SameLine();
+    if (widgets::segment("B", b, about) && !b) edits::compare(edit);
+    ImGui::PopStyleVar();
+}
+
 std::string machines_text(const EngineState& state) {
     const std::string gpu = !state.gl.known        ? "not looked for yet"
                             : state.gl.available() ? state.gl.renderer + ", OpenGL " + state.gl.version
@@ -182,6 +196,7 @@ void draw_top_bar(const Rectangle& area, const EngineState& state, Edit& edit) {
     draw_scene(edit);
     ImGui::SameLine(0, theme::px(16));
     draw_modes(edit);
+    draw_comparison(edit);
     draw_badge(state, edit);
     ImGui::End();
 }

@@ -1,10 +1,15 @@
 #include "app/window/event_log.h"
 
+#include <chrono>
 #include <fmt/format.h>
 
 #include "renderer/geometry/input_error.h"
 
 namespace kd {
+
+double system_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
 
 EventLog::EventLog(const std::string& path) {
     if (path.empty()) return;
@@ -14,11 +19,11 @@ EventLog::EventLog(const std::string& path) {
 }
 
 EventLog::~EventLog() {
-    for (const Event& e : waiting_) file_ << fmt::format("{},{},{:.2f},,\n", e.id, e.kind, 1e3 * e.time);
+    for (const Event& e : waiting_) file_ << fmt::format("{},{},{:.2f},,\n", e.id, e.kind, e.time_ms);
 }
 
-void EventLog::input(const char* kind, double now) {
-    if (file_.is_open()) waiting_.push_back({++count_, kind, now});
+void EventLog::input(const char* kind, double now_ms) {
+    if (file_.is_open()) waiting_.push_back({++count_, kind, now_ms});
 }
 
 void EventLog::applied(std::uint64_t generation) {
@@ -26,12 +31,11 @@ void EventLog::applied(std::uint64_t generation) {
         if (event.generation == 0) event.generation = generation;
 }
 
-void EventLog::presented(const Picture* picture, double now) {
+void EventLog::presented(const Picture* picture, double now_ms) {
     const std::uint64_t shown = picture ? picture->generation : 0;
     std::erase_if(waiting_, [&](const Event& e) {
         if (e.generation == 0 || e.generation > shown) return false;
-        file_ << fmt::format("{},{},{:.2f},{:.2f},{:.2f}\n", e.id, e.kind, 1e3 * e.time, 1e3 * now,
-                             1e3 * (now - e.time));
+        file_ << fmt::format("{},{},{:.2f},{:.2f},{:.2f}\n", e.id, e.kind, e.time_ms, now_ms, now_ms - e.time_ms);
         return true;
     });
     if (file_.is_open()) file_.flush();

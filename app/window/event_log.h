@@ -10,6 +10,9 @@
 
 namespace kd {
 
+/// Milliseconds since 1970: a clock that another program, which sends inputs, reads as well.
+[[nodiscard]] double system_ms();
+
 /// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is
 /// (at least a preview) of the session that the event led to. Those that never were are written at the end, with
 /// nothing for the frame's time and the latency.
@@ -21,18 +24,18 @@ class EventLog {
     EventLog(const EventLog&) = delete;
     EventLog& operator=(const EventLog&) = delete;
 
-    /// An input came; `now` in seconds on the engine's clock.
-    void input(const char* kind, double now);
+    /// The window takes an input at `now_ms`.
+    void input(const char* kind, double now_ms);
     /// All inputs so far are part of the session with this generation.
     void applied(std::uint64_t generation);
     /// A frame that shows `picture` is on the screen.
-    void presented(const Picture* picture, double now);
+    void presented(const Picture* picture, double now_ms);
 
   private:
     struct Event {
         std::int64_t id;
         const char* kind;
-        double time;
+        double time_ms;
         std::uint64_t generation = 0;  // 0: not applied yet
     };
     std::ofstream file_;

@@ -50,6 +50,7 @@ constexpr const char* window = "Window";
 
 constexpr KeyBinding table[] = {
     {GLFW_KEY_H, plain, "H", see, "heatmap on or off", [](State, Edit& e) { toggle_heat(e); }},
+    {GLFW_KEY_F9, plain, "F9", see, "the same", [](State, Edit& e) { toggle_heat(e); }},
     {GLFW_KEY_D, plain, "D", see, "divergence of SIMD groups, and back",
      [](State, Edit& e) { edits::toggle_divergence(e); }},
     {GLFW_KEY_D, GLFW_MOD_SHIFT, "Shift D", see, "efficiency against width, or times",
@@ -78,6 +79,7 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_T, plain, "T", change, "next traversal, but the naive", [](State, Edit& e) { edits::next_traversal(e); }},
     {GLFW_KEY_B, plain, "B", change, "next builder", [](State, Edit& e) { edits::next_builder(e); }},
     {GLFW_KEY_V, plain, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
+    {GLFW_KEY_TAB, plain, "Tab", change, "between two settings, A and B", [](State, Edit& e) { edits::compare(e); }},
 
     {GLFW_KEY_P, plain, "P", pixel, "pin the pixel under the mouse", [](State, Edit& e) { edits::pin(e); }},
     {GLFW_KEY_LEFT, plain, "Left", pixel, "pinned pixel to the left",
@@ -86,6 +88,8 @@ constexpr KeyBinding table[] = {
      [](State s, Edit& e) { edits::move_pin(s, e, 1, 0); }},
     {GLFW_KEY_UP, plain, "Up", pixel, "pinned pixel up", [](State s, Edit& e) { edits::move_pin(s, e, 0, -1); }},
     {GLFW_KEY_DOWN, plain, "Down", pixel, "pinned pixel down", [](State s, Edit& e) { edits::move_pin(s, e, 0, 1); }},
+    {GLFW_KEY_PERIOD, plain, ".", pixel, "next leaf along its ray", [](State s, Edit& e) { edits::step_ray(s, e, 1); }},
+    {GLFW_KEY_COMMA, plain, ",", pixel, "leaf before it", [](State s, Edit& e) { edits::step_ray(s, e, -1); }},
     {GLFW_KEY_W, plain, "W", pixel, "next wrong place (oracle)",
      [](State s, Edit& e) { edits::pin_wrong(s, e, false); }},
     {GLFW_KEY_W, GLFW_MOD_SHIFT, "Shift W", pixel, "wrong place before it",

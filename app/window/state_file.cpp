@@ -34,6 +34,14 @@ Json json_of(const std::optional<PixelReading>& reading) {
     return result;
 }
 
+Json json_of(const RayLeaf* leaf) {
+    if (leaf == nullptr) return nullptr;
+    return {{"node", leaf->node},
+            {"depth", leaf->depth},
+            {"enters", json_number(leaf->enters)},
+            {"leaves", json_number(leaf->leaves)}};
+}
+
 Json messages_json(const EngineState& state) {
     Json list = Json::array();
     for (const Message& message : state.messages) list.push_back({{"error", message.error}, {"text", message.text}});
@@ -53,6 +61,7 @@ Json json_of(const WindowSettings& window) {
             {"camera_style", window.camera_style == CameraStyle::orbit ? "orbit" : "fly"},
             {"fly_speed", json_number(window.fly_speed)},
             {"help", window.help},
+            {"shown", window.shows_b ? "B" : "A"},
             {"legend", window.legend},
             {"folder", window.folder},
             {"scene_text", window.scene_text},
@@ -148,6 +157,8 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
     json["pinned"] = json_of(state.pinned);
+    json["leaves"] = state.cells.leaves.size();
+    json["step"] = json_of(lit_leaf(state, edit));
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);

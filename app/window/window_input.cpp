@@ -41,7 +41,7 @@ void WindowLoop::install_callbacks() {
 }
 
 void WindowLoop::on_input(const char* kind) {
-    log_.input(kind, engine_->now());
+    log_.input(kind, system_ms());
     ++inputs_[kind];
     engine_->note_input();
     lively_frames_ = frames_after_input;
@@ -73,7 +73,10 @@ void WindowLoop::take_keys() {
             ImGui_ImplGlfw_CharCallback(window_.handle(), event.character);
             continue;
         }
-        ImGui_ImplGlfw_KeyCallback(window_.handle(), event.key, event.scancode, event.action, event.modifiers);
+        // Tab is a key of the window, but for the next field while something is typed.
+        const bool ours = event.key == GLFW_KEY_TAB && event.action != GLFW_RELEASE && !ImGui::GetIO().WantTextInput;
+        if (!ours)
+            ImGui_ImplGlfw_KeyCallback(window_.handle(), event.key, event.scancode, event.action, event.modifiers);
         if (event.action != GLFW_RELEASE) keys_.push_back(event);
     }
     if (!waiting_keys_.empty()) lively_frames_ = frames_after_input;

@@ -181,7 +181,7 @@ void WindowLoop::present_frame() {
     if (std::exchange(window_export_, false)) write_files(Action::export_window);
     const std::shared_ptr<const Picture> shown = engine_->state().picture;
     glfwSwapBuffers(window_.handle());
-    log_.presented(shown.get(), engine_->now());
+    log_.presented(shown.get(), system_ms());
     const bool answered = lively_frames_ <= 1;  // this frame is the last that the input asked for
     state_file_.update(engine_->state(), edit_, layout_.picture, places_, answered ? inputs_ : answered_);
     if (answered) answered_ = inputs_;

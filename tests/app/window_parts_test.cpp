@@ -362,16 +362,16 @@ TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {
         EventLog log(file.string());
         Picture picture;
         picture.generation = 4;
-        log.input("move", 1.0);
-        log.presented(&picture, 1.01);  // not applied yet
+        log.input("move", 1000);
+        log.presented(&picture, 1010);  // not applied yet
         log.applied(4);
-        log.input("key", 2.0);
-        log.presented(&picture, 2.0625);  // answers the move alone
+        log.input("key", 2000);
+        log.presented(&picture, 2062.5);  // answers the move alone
         log.applied(5);
-        log.presented(&picture, 2.07);
+        log.presented(&picture, 2070);
         picture.generation = 5;
-        log.presented(&picture, 2.125);
-        log.input("scroll", 3.0);  // never answered
+        log.presented(&picture, 2125);
+        log.input("scroll", 3000);  // never answered
     }
     std::ifstream in(file);
     const std::string text{std::istreambuf_iterator<char>(in), {}};

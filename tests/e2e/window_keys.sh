@@ -28,7 +28,7 @@ press h
 wait_for '^settings.view=\{\}$'
 see_picture beauty.png
 holds "$(difference heat.png beauty.png) > 0.02" || fail "the map did not go: $(difference heat.png beauty.png)"
-press h
+press F9
 wait_for '^settings.view.map.name=nodes$'
 
 press d
