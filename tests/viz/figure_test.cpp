@@ -112,19 +112,20 @@ TEST(PictureGolden, WholeFigure) {
 TEST(GoldenPictures, ADifferenceIsShownAndAllowedWithinTheTolerance) {
     const Image<Rgba8> expected(40, 30, {10, 20, 30, 255});
     Image<Rgba8> actual = expected;
-    actual.at(7, 9).g = 24;
+    actual.at(7, 9).g = 22;
     const std::filesystem::path out = KD_TEST_OUTPUT_DIR;
     for (const char* kind : {".actual.png", ".diff.png"}) std::filesystem::remove(out / (std::string("self") + kind));
-    EXPECT_TRUE(test::compare_pictures(actual, expected, "self", {4, 0}));
-    EXPECT_TRUE(test::compare_pictures(actual, expected, "self", test::of_lines)) << "1 of 1200 pixels";
+    EXPECT_TRUE(test::compare_pictures(actual, expected, "self", test::of_lines)) << "1 of 1200 pixels, by 2";
     EXPECT_FALSE(std::filesystem::exists(out / "self.actual.png"));
+    EXPECT_FALSE(test::compare_pictures(actual, expected, "self", {1, 1})) << "by more than 1";
+    EXPECT_FALSE(test::compare_pictures(actual, expected, "self", {2, 0.0005})) << "more than half a pixel";
 
     const testing::AssertionResult exact = test::compare_pictures(actual, expected, "self", {});
     EXPECT_FALSE(exact);
     EXPECT_NE(std::string(exact.message()).find("self.diff.png"), std::string::npos) << exact.message();
     EXPECT_EQ(read_png(out / "self.actual.png"), actual);
     const Image<Rgba8> difference = read_png(out / "self.diff.png");
-    EXPECT_EQ(difference.at(7, 9), (Rgba8{32, 32, 32, 255}));
+    EXPECT_EQ(difference.at(7, 9), (Rgba8{16, 16, 16, 255}));
     EXPECT_EQ(difference.at(8, 9), (Rgba8{0, 0, 0, 255}));
     EXPECT_FALSE(test::compare_pictures(Image<Rgba8>(1, 1), expected, "self", {255, 1})) << "another size";
 }
