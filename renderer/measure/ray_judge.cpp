@@ -36,6 +36,10 @@ JudgedHit judge_ray(const DoubleOracle& oracle, const Ray& ray, const f64::Hit& 
     if (error.verdict == HitVerdict::tie && !same_distance &&
         !bit_equal(found, plain_nearest_hit(oracle.scene(), oracle.boxes(), ray)))
         error = HitJudge{.margin = -1}.judge(found, exact);
+    const bool another = found.triangle >= 0 && found.triangle != exact.triangle;
+    if (error.verdict == HitVerdict::tie && same_distance && another &&
+        !bit_equal(found, hit_of_triangle(oracle.scene(), found.triangle, ray)))
+        error.verdict = HitVerdict::wrong_triangle;
     if (error.verdict == HitVerdict::wrong_t && same_point(ray, found.t, exact, judge.most_ulps))
         error.verdict = HitVerdict::agrees;
     return {error.verdict, error.ulps, exact};

@@ -39,7 +39,13 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
             if (!found) on_interior(node, true);
             parent = fetch_node(node).parent;
         }
-        if (!found) break;
+        if (!found) {
+            if (KD_RARE(parent >= 0)) {
+                on_exit(KD_EXIT_STEP_CAP); // the budget ended on the way up
+                return;
+            }
+            break;
+        }
     }
     finish_walk(hit);
 }

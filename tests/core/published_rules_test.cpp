@@ -72,6 +72,34 @@ std::vector<Ray> lattice_rays(int count) {
     return rays;
 }
 
+/// However early a walk is ended, it says so, or answers as the whole walk does.
+TEST(PublishedRules, AnEndedWalkIsFlagged) {
+    const FlatScene scene = test::scene_of(test::random_soup(200, 0.1f, 7));
+    const KdTree tree = build_tree(scene.triangles, {});
+    const std::vector<Ray> rays = kind_rays(300);
+    std::vector<Hit> whole(rays.size()), ended(rays.size());
+    std::vector<RayCounters> counters(rays.size());
+    for (const Traversal walk : published_walks())
+        for (const Rules rules : {Rules::robust, Rules::as_published, Rules::first_edition}) {
+            TraceConfig config;
+            config.traversal = walk;
+            config.rules = rules;
+            CpuTracer(scene, tree).trace_rays(config, rays, false, whole, {});
+            int flagged = 0;
+            for (config.step_budget = 1; config.step_budget <= 150; ++config.step_budget) {
+                CpuTracer(scene, tree).trace_rays(config, rays, false, ended, counters);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    const bool told = counters[i].exit_reason == KD_EXIT_STEP_CAP;
+                    flagged += told;
+                    ASSERT_TRUE(told || bit_equal(ended[i], whole[i]))
+                        << info(walk).name << " " << info(rules).name << ", " << config.step_budget << " steps, ray "
+                        << i;
+                }
+            }
+            EXPECT_GT(flagged, 1000) << info(walk).name;
+        }
+}
+
 TEST(PublishedRules, AgreeOnKindRays) {
     const FlatScene scene = test::scene_of(test::random_soup(400, 0.1f, 7));
     const KdTree tree = build_tree(scene.triangles, {});

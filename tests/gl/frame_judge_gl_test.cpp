@@ -20,7 +20,8 @@ namespace {
 constexpr int size = 128;
 
 struct Judged {
-    explicit Judged(const std::string& name) : scene(flatten(*make_procedural(name))) {}
+    explicit Judged(FlatScene what) : scene(std::move(what)) {}
+    explicit Judged(const std::string& name) : Judged(flatten(*make_procedural(name))) {}
 
     Frame trace(const TraceConfig& config) {
         Frame frame(size, size);
@@ -97,14 +98,15 @@ TEST(JudgeFrame, PlantedFaultsAreNamed) {
         return std::size_t(0);
     };
     const std::size_t missed = inside(40), wrong = inside(50), off = inside(60), capped = inside(70), full = inside(80),
-                      tie = inside(90), near = inside(100);
+                      neighbour = inside(90), near = inside(100);
     layer.hit.pixels[missed] = {-1, KD_T_LIMIT, 0, 0};
     layer.counters.pixels[missed].exit_reason = uint(KD_EXIT_MISS);
     layer.hit.pixels[wrong] = {0, 2 * layer.hit.pixels[wrong].t, 0.3f, 0.3f};
     layer.hit.pixels[off].t *= 1.0f + 0x1p-12f;
     layer.counters.pixels[capped].exit_reason = uint(KD_EXIT_STEP_CAP);
     layer.counters.pixels[full].exit_reason = uint(KD_EXIT_STACK_OVERFLOW);
-    layer.hit.pixels[tie].triangle = (layer.hit.pixels[tie].triangle + 1) % int(subject.scene.triangles.size());
+    layer.hit.pixels[neighbour].triangle =
+        (layer.hit.pixels[neighbour].triangle + 1) % int(subject.scene.triangles.size());
     layer.hit.pixels[near].t = std::nextafter(layer.hit.pixels[near].t, 1e9f);
 
     const JudgedLayer judged = subject.judge(frame);
@@ -115,10 +117,25 @@ TEST(JudgeFrame, PlantedFaultsAreNamed) {
     EXPECT_GT(judged.hits.pixels[off].ulps, 1000);
     EXPECT_EQ(judged.hits.pixels[capped].verdict, HitVerdict::unfinished);
     EXPECT_EQ(judged.hits.pixels[full].verdict, HitVerdict::unfinished);
-    EXPECT_EQ(judged.hits.pixels[tie].verdict, HitVerdict::tie);
+    EXPECT_EQ(judged.hits.pixels[neighbour].verdict, HitVerdict::wrong_triangle) << "t is right, the triangle not";
     EXPECT_EQ(judged.hits.pixels[near].verdict, HitVerdict::agrees);
-    EXPECT_EQ(judged.wrong(), 5);
+    EXPECT_EQ(judged.wrong(), 6);
     EXPECT_FALSE(judged.places.empty());
+}
+
+TEST(JudgeFrame, EitherOfTwoTrianglesInOnePlaceWillDo) {
+    const Triangle twice{{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)}};
+    FlatScene scene = test::scene_of({twice, twice});
+    scene.camera = {{0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 60};
+    Judged subject(std::move(scene));
+    Frame frame = subject.trace({});
+    Hit& hit = frame.layer(Pass::rt_prim).hit.at(size / 2, size / 2);
+    ASSERT_EQ(hit.triangle, 0);
+    hit.triangle = 1;
+    EXPECT_EQ(subject.judge(frame).hits.at(size / 2, size / 2).verdict, HitVerdict::tie);
+    hit.u += 0x1p-10f;
+    EXPECT_EQ(subject.judge(frame).hits.at(size / 2, size / 2).verdict, HitVerdict::wrong_triangle)
+        << "the ray meets it elsewhere";
 }
 
 TEST(JudgeFrame, AHitWhereNothingIsIsFalse) {
