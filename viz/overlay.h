@@ -34,40 +34,33 @@ struct WorldLine {
 [[nodiscard]] std::vector<WorldLine> split_lines(const KdTree& tree, const OverlayConfig& config,
                                                  std::size_t limit = 200000);
 
-/// A leaf that a ray meets: from where to where along it, in units of its direction.
-struct RayLeaf {
-    int node;
-    int depth;
-    float enters, leaves;
-};
+/// Outlines of the leaves that a ray meets up to `t_end`, in order, each after the splits above it that are not shown
+/// yet.
+[[nodiscard]] std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end);
 
-/// What a ray meets of a tree.
-struct RayCells {
-    std::vector<RayLeaf> leaves;  // in the ray's order
-    std::vector<WorldLine>
-        lines;  // outline of each leaf, after those of the splits above it that came with none before
-};
-
-/// The cells that a ray meets up to `t_end`.
-[[nodiscard]] RayCells cells_along_ray(const KdTree& tree, const Ray& ray, float t_end);
-
-/// Two ends of a line over the picture, in pixels from its top left corner, with its node and that node's depth.
+/// Two ends of a line over the picture, in pixels from its top left corner, with the depth of its node.
 struct ScreenLine {
     float x0, y0, x1, y1;
     int depth;
-    int node;
 };
 
-/// What the ray of a pixel meets, as it is shown over the picture.
-struct PixelCells {
-    std::vector<RayLeaf> leaves;
-    std::vector<ScreenLine> lines;  // as far as they lie in the picture
+/// lines_along_ray() of the primary ray through pixel (x, y) of a width x height picture up to its hit, as far as they
+/// lie in the picture; `most` lines, those met first.
+[[nodiscard]] std::vector<ScreenLine> ray_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height,
+                                                int x, int y, const Hit& hit, std::size_t most = 4000);
+
+/// A leaf that a ray visits, and from where to where along the ray it lies: no numbers (NaN) where the ray passes it
+/// by, within the slack of robust walks.
+struct RayLeaf {
+    int node = 0;
+    int depth = 0;
+    float enters = 0, leaves = 0;
+    std::vector<ScreenLine> outline;  // in a picture
 };
 
-/// cells_along_ray() of the primary ray through pixel (x, y) of a width x height picture up to its hit; `most` lines,
-/// those met first.
-[[nodiscard]] PixelCells pixel_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height, int x,
-                                     int y, const Hit& hit, std::size_t most = 4000);
+/// The leaf `node` on the primary ray through pixel (x, y) of a width x height picture that ends at its hit.
+[[nodiscard]] RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, int width, int height,
+                                  int x, int y, const Hit& hit);
 
 /// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit
 /// they are left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and

@@ -1,6 +1,8 @@
 // The cells that one pixel's ray meets.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "viz/overlay.h"
 #include "viz/projection.h"
@@ -19,73 +21,118 @@ struct DrawRay {
     double begin, end;
 
     struct Part {
-        double enters, leaves;  // infinite where there is none
+        double enters, leaves;
     };
 
-    /// The part of the ray within the box.
-    [[nodiscard]] Part part_in(const Aabb& box) const {
-        constexpr Part none{INFINITY, INFINITY};
+    /// The part of the ray within the box; nothing where it passes it by.
+    [[nodiscard]] std::optional<Part> part_in(const Aabb& box) const {
         double near = begin;
         double far = end;
         for (int axis = 0; axis < 3; ++axis) {
             const double lower = double(box.lower[axis]) - origin[axis];
             const double upper = double(box.upper[axis]) - origin[axis];
             if (direction[axis] == 0) {
-                if (lower > 0 || upper < 0) return none;
+                if (lower > 0 || upper < 0) return std::nullopt;
                 continue;
             }
             near = std::max(near, std::min(lower / direction[axis], upper / direction[axis]));
             far = std::min(far, std::max(lower / direction[axis], upper / direction[axis]));
         }
-        return near <= far ? Part{near, far} : none;
+        return near <= far ? std::optional(Part{near, far}) : std::nullopt;
+    }
+
+    /// Parameter where the ray enters the box; infinity where it does not.
+    [[nodiscard]] double entry(const Aabb& box) const {
+        const std::optional<Part> part = part_in(box);
+        return part ? part->enters : INFINITY;
     }
 };
 
-void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, DrawRay::Part part, RayCells& found) {
+void walk_along_ray(const KdTree& tree, const DrawRay& ray, const Cell& cell, std::vector<WorldLine>& lines) {
     const TreeNode& n = tree.nodes[static_cast<std::size_t>(cell.node)];
     if (n.is_leaf()) {
-        found.leaves.push_back({cell.node, cell.depth, float(part.enters), float(part.leaves)});
-        add_box(cell, found.lines);
+        add_box(cell, lines);
         return;
     }
-    add_plane(n, cell, found.lines);
+    add_plane(n, cell, lines);
     const Cell below = child_below(n, cell);
     const Cell above = child_above(n, cell);
-    const DrawRay::Part in_below = ray.part_in(below.box);
-    const DrawRay::Part in_above = ray.part_in(above.box);
+    const double enters_below = ray.entry(below.box);
+    const double enters_above = ray.entry(above.box);
     const bool below_first =
-        in_below.enters < in_above.enters || (in_below.enters == in_above.enters && ray.direction[n.flag] >= 0);
-    const auto visit = [&](const Cell& child, DrawRay::Part in_child) {
-        if (std::isfinite(in_child.enters)) walk_along_ray(tree, ray, child, in_child, found);
+        enters_below < enters_above || (enters_below == enters_above && ray.direction[n.flag] >= 0);
+    const auto visit = [&](const Cell& child, double enters) {
+        if (std::isfinite(enters)) walk_along_ray(tree, ray, child, lines);
     };
-    if (below_first) visit(below, in_below);
-    visit(above, in_above);
-    if (!below_first) visit(below, in_below);
+    if (below_first) visit(below, enters_below);
+    visit(above, enters_above);
+    if (!below_first) visit(below, enters_below);
 }
 
 }  // namespace
 
-RayCells cells_along_ray(const KdTree& tree, const Ray& ray, float t_end) {
-    RayCells found;
-    if (tree.bounds.empty()) return found;
+std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float t_end) {
+    std::vector<WorldLine> lines;
     const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), double(t_end)};
-    const DrawRay::Part part = draw_ray.part_in(tree.bounds);
-    if (std::isfinite(part.enters)) walk_along_ray(tree, draw_ray, {0, 0, tree.bounds}, part, found);
-    return found;
+    const Cell root{0, 0, tree.bounds};
+    if (!tree.bounds.empty() && std::isfinite(draw_ray.entry(root.box))) walk_along_ray(tree, draw_ray, root, lines);
+    return lines;
 }
 
-PixelCells pixel_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height, int x, int y,
-                       const Hit& hit, std::size_t most) {
-    const Ray ray = camera_ray(camera, int2(x, y), int2(width, height));
-    const Projection projection(camera, width, height);
-    RayCells found = cells_along_ray(tree, ray, hit.triangle >= 0 ? hit.t : ray.t_max);
-    PixelCells cells{std::move(found.leaves), {}};
-    for (const WorldLine& line : found.lines) {
-        if (cells.lines.size() >= most) break;
-        if (const auto s = projection.project_segment(line.a, line.b))
-            cells.lines.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth, line.node});
+namespace {
+
+/// The cell of a node, from the planes above it.
+Cell cell_of(const KdTree& tree, int node) {
+    Cell cell{node, 0, tree.bounds};
+    for (int child = node; child > 0; ++cell.depth) {
+        const int parent = tree.nodes[std::size_t(child)].parent;
+        const TreeNode& n = tree.nodes[std::size_t(parent)];
+        if (child == parent + 1)
+            cell.box.upper[n.flag] = std::min(cell.box.upper[n.flag], n.split);
+        else
+            cell.box.lower[n.flag] = std::max(cell.box.lower[n.flag], n.split);
+        child = parent;
     }
-    return cells;
+    return cell;
+}
+
+Ray seen_ray(const PinholeCamera& camera, int width, int height, int x, int y, const Hit& hit) {
+    Ray ray = camera_ray(camera, int2(x, y), int2(width, height));
+    if (hit.triangle >= 0) ray.t_max = hit.t;
+    return ray;
+}
+
+std::vector<ScreenLine> on_screen(const std::vector<WorldLine>& lines, const PinholeCamera& camera, int width,
+                                  int height, std::size_t most) {
+    const Projection projection(camera, width, height);
+    std::vector<ScreenLine> seen;
+    for (const WorldLine& line : lines) {
+        if (seen.size() >= most) break;
+        if (const auto s = projection.project_segment(line.a, line.b))
+            seen.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
+    }
+    return seen;
+}
+
+}  // namespace
+
+std::vector<ScreenLine> ray_cells(const KdTree& tree, const PinholeCamera& camera, int width, int height, int x, int y,
+                                  const Hit& hit, std::size_t most) {
+    const Ray ray = seen_ray(camera, width, height, x, y, hit);
+    return on_screen(lines_along_ray(tree, ray, ray.t_max), camera, width, height, most);
+}
+
+RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, int width, int height, int x, int y,
+                    const Hit& hit) {
+    constexpr std::size_t edges = 12;
+    const Ray ray = seen_ray(camera, width, height, x, y, hit);
+    const Cell cell = cell_of(tree, node);
+    std::vector<WorldLine> outline;
+    add_box(cell, outline);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), double(ray.t_max)};
+    const DrawRay::Part part = draw_ray.part_in(cell.box).value_or(DrawRay::Part{none, none});
+    return {node, cell.depth, float(part.enters), float(part.leaves), on_screen(outline, camera, width, height, edges)};
 }
 
 }  // namespace kd

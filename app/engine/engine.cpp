@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/io/printable.h"
+#include "renderer/measure/walk_recorder.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -81,10 +82,12 @@ void Engine::set_session(const Session& wanted) {
         start_paint();
 }
 
-void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned) {
-    if (hovered == hovered_ && pinned == pinned_) return;
+void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned,
+                        std::optional<int> step) {
+    if (hovered == hovered_ && pinned == pinned_ && step == step_) return;
     hovered_ = hovered;
     pinned_ = pinned;
+    step_ = step;
     read_probes();
 }
 
@@ -172,29 +175,46 @@ Camera Engine::camera_in_use() const { return state_.session.camera.value_or(sta
 void Engine::read_probes() {
     state_.hovered.reset();
     state_.pinned.reset();
-    state_.cells = {};
+    state_.ray_cells.clear();
+    state_.step.reset();
     if (!state_.picture) return;
     const TracedFrame& shown = state_.picture->traced;
     if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
     if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
     for (auto* reading : {&state_.hovered, &state_.pinned})
         if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
-    if (state_.pinned)
-        read_cells(*state_.pinned);
-    else if (state_.hovered && state_.session.view.overlay.show)
-        read_cells(*state_.hovered);
-}
-
-void Engine::read_cells(const PixelReading& probe) {
-    const TracedFrame& shown = state_.picture->traced;
+    if (state_.pinned && step_) read_step(*state_.pinned);
+    const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
+    if (!probe || !state_.session.view.overlay.show) return;
     const int width = state_.session.width;
     const int height = state_.session.height;
-    state_.cells = pixel_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe.pixel.x,
-                               probe.pixel.y, probe.primary().hit);
-    for (RayLeaf& leaf : state_.cells.leaves) {
-        leaf.enters = to_scene_units(shown.world->scene(), leaf.enters);
-        leaf.leaves = to_scene_units(shown.world->scene(), leaf.leaves);
+    state_.ray_cells = ray_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe->pixel.x,
+                                 probe->pixel.y, probe->primary().hit);
+}
+
+/// Walks the ray once more, on the CPU and under the rules of the frame: the leaves are those that were counted.
+void Engine::read_step(const PixelReading& probe) {
+    const TracedFrame& shown = state_.picture->traced;
+    const World& world = *shown.world;
+    const int width = state_.session.width;
+    const int height = state_.session.height;
+    const PinholeCamera camera = pinhole(shown.camera, width, height);
+    if (walked_frame_ != shown.frame || walked_pixel_ != probe.pixel) {
+        const WalkRequest request{world.scene(), world.tree, shown.config, camera, width, height};
+        const PixelWalks walks = record_pixel(request, probe.pixel.x, probe.pixel.y);
+        walked_leaves_ = walks.rays.empty() ? std::vector<int>{} : walks.rays.front().walk.leaves();
+        walked_frame_ = shown.frame;
+        walked_pixel_ = probe.pixel;
     }
+    if (walked_leaves_.empty()) return;
+    const int last = int(walked_leaves_.size()) - 1;
+    const int number = std::min(*step_, last);
+    const int node = walked_leaves_[std::size_t(number)];
+    RayLeaf leaf =
+        leaf_on_ray(world.tree, node, camera, width, height, probe.pixel.x, probe.pixel.y, probe.primary().hit);
+    leaf.enters = to_scene_units(world.scene(), leaf.enters);
+    leaf.leaves = to_scene_units(world.scene(), leaf.leaves);
+    state_.step = StepReading{number, last + 1, std::move(leaf), world.tree.nodes[std::size_t(node)].count};
 }
 
 }  // namespace kd

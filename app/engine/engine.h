@@ -40,8 +40,10 @@ class Engine {
     /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as
     /// it was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
     void set_session(const Session& next);
-    /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`.
-    void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned);
+    /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`. `step`, from 0: the
+    /// leaf to read of those that the pinned pixel's primary ray visits; the last one where there are not so many.
+    void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned,
+                    std::optional<int> step = std::nullopt);
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
     void cancel_build();
     /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
@@ -104,7 +106,7 @@ class Engine {
     void note_rounds();
     [[nodiscard]] Session configuration_shown() const;
     void read_probes();
-    void read_cells(const PixelReading& probe);
+    void read_step(const PixelReading& probe);
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
 
@@ -115,6 +117,10 @@ class Engine {
     std::optional<Camera> camera_before_load_;  // of the scene that a refused one gives way to
     TracedFrame traced_;                        // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
+    std::optional<int> step_;
+    std::vector<int> walked_leaves_;  // by the ray of this pixel of this frame
+    std::shared_ptr<const Frame> walked_frame_;
+    PixelPosition walked_pixel_;
     std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
     std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
     std::uint64_t paint_ticket_ = 0;      // of the painting asked for last

@@ -6,6 +6,7 @@
 
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
+#include "viz/overlay.h"
 
 namespace kd {
 
@@ -36,6 +37,14 @@ struct PixelReading {
     std::optional<OracleReading> oracle;  // where the frame was compared and this pixel has such a ray
 
     [[nodiscard]] const PassReading& primary() const { return passes[0]; }
+};
+
+/// One leaf of those that a pixel's primary ray visited; lengths in scene units.
+struct StepReading {
+    int number = 0;  // from 0
+    int count = 0;   // of leaves visited
+    RayLeaf leaf;
+    int triangles = 0;  // that it lists
 };
 
 struct TracedFrame;

@@ -131,10 +131,10 @@ struct EngineState {
     PaperState paper;
     ConvergenceState convergence;
     std::optional<PixelReading> hovered, pinned;
-    /// Cells that the primary ray of the pinned pixel meets, or of the hovered one while splits are shown; in a picture
-    /// of Session::width x height. The leaves' parameters are lengths in scene units.
-    PixelCells cells;
-    std::vector<Message> messages;  // newest last
+    /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
+    std::vector<ScreenLine> ray_cells;
+    std::optional<StepReading> step;  // along the pinned pixel's ray
+    std::vector<Message> messages;    // newest last
     double last_build_ms = 0;
 
     /// The picture is not yet (all of) what the session asks for.

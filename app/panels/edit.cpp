@@ -15,12 +15,6 @@ namespace kd {
 
 Pass rays_read(const Edit& edit) { return edit.window.pixel_rays.value_or(edit.session.view.map.rays); }
 
-const RayLeaf* lit_leaf(const EngineState& state, const Edit& edit) {
-    const std::vector<RayLeaf>& leaves = state.cells.leaves;
-    if (!state.pinned || !edit.window.step || leaves.empty()) return nullptr;
-    return &leaves[std::min(std::size_t(*edit.window.step), leaves.size() - 1)];
-}
-
 }  // namespace kd
 
 namespace kd::edits {
@@ -108,7 +102,10 @@ void show_unfinished(const EngineState& state, Edit& edit) {
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
-    edit.window.pinned.reset();
+    std::string& refused = edit.window.scene_asked;
+    if (refused.empty() || refused == scene) return;
+    edit.window.scene_text.clear();
+    refused.clear();
 }
 
 void open_typed(Edit& edit) {
@@ -143,6 +140,7 @@ bool carry_out(Action action, const Edit& edit, Engine& engine) {
     switch (action) {
         case Action::cancel_build: engine.cancel_build(); return true;
         case Action::dismiss_messages: engine.dismiss_messages(); return true;
+        case Action::say_all_right: engine.say(false, "no pixel's ray is wrong"); return true;
         case Action::run_case: engine.run_case(stability.id, stability.all_traversals); return true;
         case Action::run_sweep: engine.run_sweep(stability.id); return true;
         case Action::cancel_stability: engine.cancel_stability(); return true;
@@ -230,7 +228,10 @@ void switch_tracer(const EngineState& state, Edit& edit) {
     edit.session.tracer = edit.session.tracer == TracerKind::cpu ? TracerKind::gl_fragment : TracerKind::cpu;
 }
 
-void pin(Edit& edit) { edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered; }
+void pin(Edit& edit) {
+    edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered;
+    edit.window.step.reset();
+}
 
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     if (!edit.window.pinned) return;
@@ -241,13 +242,10 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
 
 void step_ray(const EngineState& state, Edit& edit, int by) {
     std::optional<int>& step = edit.window.step;
-    if (!edit.window.pinned) {
-        edit.window.pinned = edit.hovered;
-        step.reset();
-    }
+    if (!edit.window.pinned) edit.window.pinned = edit.hovered;
     if (!edit.window.pinned) return;
-    const int last = state.pinned ? int(state.cells.leaves.size()) - 1 : 0;
-    const int next = std::min(step.value_or(-1) + by, last);
+    const int last = state.pinned ? int(state.pinned->primary().counters.leaves) - 1 : 0;
+    const int next = std::min((state.step ? state.step->number : -1) + by, last);
     step = next < 0 ? std::nullopt : std::optional(next);
 }
 
@@ -269,7 +267,10 @@ void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
         show_oracle(edit);
         return;
     }
-    if (const auto pixel = next_wrong_place(*judged, edit.window.pinned, backwards)) edit.window.pinned = *pixel;
+    const std::optional<PixelPosition> pixel = next_wrong_place(*judged, edit.window.pinned, backwards);
+    if (!pixel) return edit.do_once(Action::say_all_right);
+    edit.window.pinned = *pixel;
+    edit.window.step.reset();
 }
 
 void focus(const EngineState& state, Edit& edit) {

@@ -74,6 +74,7 @@ struct WindowSettings {
 enum class Action {
     cancel_build,
     dismiss_messages,
+    say_all_right,   // the oracle finds no wrong pixel
     export_picture,  // the bare picture
     export_figure,   // with legend, title and caption
     export_window,   // with panels
@@ -113,9 +114,6 @@ inline constexpr const char* divergence_panel = "DIVERGENCE";
 
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
-
-/// The leaf that is lit along the pinned pixel's ray; null where none is.
-[[nodiscard]] const RayLeaf* lit_leaf(const EngineState& state, const Edit& edit);
 
 /// Changes that panels and keys share.
 namespace edits {

@@ -1,5 +1,6 @@
 // PIXEL: everything about one pixel in numbers, the pinned one or the one under the mouse. Its rows always stand where
 // they are, so that nothing jumps while the mouse comes and goes.
+#include <cmath>
 #include <fmt/format.h>
 
 #include "app/panels/applies.h"
@@ -44,28 +45,30 @@ void draw_counters(const PassReading& ray) {
     count("deepest stack", c.stack_depth, "Most far children that waited at one time.");
 }
 
-/// The leaves along the primary ray of the pinned pixel, and the one that a person stepped to.
+/// The leaves that the primary ray of the pinned pixel visits, and the one that a person stepped to.
 void draw_step(const EngineState& state, Edit& edit) {
-    const RayLeaf* leaf = lit_leaf(state, edit);
-    const auto all = state.pinned ? std::ptrdiff_t(state.cells.leaves.size()) : 0;
-    ImGui::Dummy({0, theme::px(2)});
+    const std::optional<StepReading>& step = state.step;
+    const int count = state.pinned ? int(state.pinned->primary().counters.leaves) : 0;
     widgets::begin_row("leaf",
-                       "Keys . and , step along the pinned pixel's ray, leaf by leaf; the leaf is drawn over the "
-                       "picture. With the splits (key S) all of them are.");
-    if (widgets::button("<", "The leaf before it. Key ,", leaf != nullptr, 0)) edits::step_ray(state, edit, -1);
+                       "Keys . and , step through the leaves that the pinned pixel's primary ray visits, in its "
+                       "order; the leaf is drawn over the picture.");
+    if (widgets::button("<", "The leaf before it. Key ,", step.has_value(), 0)) edits::step_ray(state, edit, -1);
     ImGui::SameLine();
-    if (widgets::button(">", "The next leaf along the ray. Key .", all > 0, 0)) edits::step_ray(state, edit, 1);
+    const bool more = count > 0 && (!step || step->number + 1 < step->count);
+    if (widgets::button(">", "The next leaf of the walk. Key .", more, 0)) edits::step_ray(state, edit, 1);
     ImGui::SameLine();
-    const std::ptrdiff_t number = leaf != nullptr ? leaf - state.cells.leaves.data() + 1 : 0;
-    ImGui::TextUnformatted((number > 0 ? fmt::format("{} of {}", number, all)
-                            : all > 0  ? std::to_string(all)
-                                       : none)
-                               .c_str());
-    widgets::value("  from t, to",
-                   leaf ? fmt::format("{}, {}", number_text(leaf->enters), number_text(leaf->leaves)) : none,
-                   "Where the ray enters the leaf and leaves it, or ends; in scene units.");
-    const int triangles = leaf ? state.picture->traced.world->tree.nodes[std::size_t(leaf->node)].count : 0;
-    widgets::value("  depth, triangles", leaf ? fmt::format("{}, {}", leaf->depth, triangles) : none,
+    ImGui::TextUnformatted(step        ? fmt::format("{} of {}", step->number + 1, step->count).c_str()
+                           : count > 0 ? fmt::format("{} of {}", none, count).c_str()
+                                       : none);
+    if (!step) return;
+    const std::string part = std::isnan(step->leaf.enters) ? "beside it"
+                                                           : fmt::format("{}, {}", number_text(step->leaf.enters),
+                                                                         number_text(step->leaf.leaves));
+    widgets::value(
+        "  from t, to", part,
+        "Where the ray enters the leaf and leaves it, or ends; in scene units. Beside it: the ray passes the "
+        "leaf by so closely that robust rules look into it.");
+    widgets::value("  depth, triangles", fmt::format("{}, {}", step->leaf.depth, step->triangles),
                    "Of the leaf: the splits above it, and the triangles in its list.");
 }
 
@@ -114,6 +117,7 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const PixelReading reading = found.value_or(PixelReading{});
     draw_position(found, state.pinned.has_value());
     draw_rays(state, edit);
+    draw_step(state, edit);
     const Pass read = rays_read(edit);
     const PassReading& ray = reading.passes[std::size_t(read)];
     // Close together, so that EXPORT below them is to be seen in a window 720 pixels high.
@@ -123,7 +127,6 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
     draw_counters(ray);
     draw_other_rays(state, edit, reading, read);
-    draw_step(state, edit);
     ImGui::PopStyleVar();
     const bool pinned = edit.window.pinned.has_value();
     if (widgets::button("release pixel",

@@ -126,7 +126,7 @@ void draw_value_slider(const Sweep& sweep, Edit& edit) {
     int index = shown_index(sweep, edit.session.scene);
     const bool shown = edit.session.scene == stress_name(sweep.id, sweep.values[std::size_t(index)]);
     const std::string text =
-        shown ? fmt::format("{:g} {}", sweep.values[std::size_t(index)], sweep.unit) : "move to see one";
+        shown ? fmt::format("{:g} {}", sweep.values[std::size_t(index)], sweep.unit) : "drag to choose";
     const std::string tip = fmt::format("Shows the scene at another value of its parameter: {}, from {:g} to {:g} {}.",
                                         sweep.parameter, sweep.values.front(), sweep.values.back(), sweep.unit);
     if (widgets::slider("scene at", index, 0, int(sweep.values.size()) - 1, text.c_str(), tip))
@@ -166,9 +166,9 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
         draw();
         ImGui::EndChild();
     };
-    column("list", theme::px(224), [&] { draw_list(state, view); });
+    column("list", theme::px(212), [&] { draw_list(state, view); });
     ImGui::SameLine(0, gap);
-    column("case", theme::px(296), [&] { draw_case(state, info, edit); });
+    column("case", theme::px(248), [&] { draw_case(state, info, edit); });
     ImGui::SameLine(0, gap);
     column("results", 0, [&] { draw_results(state, info, edit); });
 }

@@ -133,11 +133,10 @@ std::string status_text(const EngineState& state, const WindowSettings& window) 
     if (state.loading.active) return "loading " + state.loading_name;
     if (!state.picture) return "starting";
     const TracedFrame& traced = state.picture->traced;
-    const double rays = double(traced.frame->width) * double(traced.frame->height);
     const std::string flight =
         window.camera_style == CameraStyle::fly ? fmt::format("   ·   flying, speed {}", window.fly_speed) : "";
-    return fmt::format("{} × {}, {} primary rays in {} ms   ·   tree built in {} ms{}", state.session.width,
-                       state.session.height, number_text(rays), number_text(traced.time.total_ms),
+    return fmt::format("{} × {}, all rays with their counters in {} ms   ·   tree built in {} ms{}",
+                       state.session.width, state.session.height, number_text(traced.time.total_ms),
                        number_text(state.last_build_ms), flight);
 }
 

@@ -34,12 +34,14 @@ Json json_of(const std::optional<PixelReading>& reading) {
     return result;
 }
 
-Json json_of(const RayLeaf* leaf) {
-    if (leaf == nullptr) return nullptr;
-    return {{"node", leaf->node},
-            {"depth", leaf->depth},
-            {"enters", json_number(leaf->enters)},
-            {"leaves", json_number(leaf->leaves)}};
+Json json_of(const std::optional<StepReading>& step) {
+    if (!step) return nullptr;
+    return {{"number", step->number},
+            {"count", step->count},
+            {"node", step->leaf.node},
+            {"depth", step->leaf.depth},
+            {"enters", json_number(step->leaf.enters)},
+            {"leaves", json_number(step->leaf.leaves)}};
 }
 
 Json messages_json(const EngineState& state) {
@@ -157,8 +159,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
     json["pinned"] = json_of(state.pinned);
-    json["leaves"] = state.cells.leaves.size();
-    json["step"] = json_of(lit_leaf(state, edit));
+    json["step"] = json_of(state.step);
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);

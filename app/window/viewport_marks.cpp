@@ -32,27 +32,29 @@ void draw_crosshair(ImDrawList& list, ImVec2 at) {
 ImU32 colour_of(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
 /// With the splits all cells that the ray meets, and the leaf that a person stepped to on top of them.
-void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale) {
+void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& state, ImVec2 scale) {
     const int deepest = state.world ? std::max(1, state.world->stats.deepest) : 1;
     const auto draw = [&](const ScreenLine& line, ImU32 colour, float width) {
         const ImVec2 a{area.x + line.x0 * scale.x, area.y + line.y0 * scale.y};
         const ImVec2 b{area.x + line.x1 * scale.x, area.y + line.y1 * scale.y};
         outlined_line(list, a, b, colour, theme::px(width));
     };
-    if (state.session.view.overlay.show)
-        for (const ScreenLine& line : state.cells.lines) draw(line, colour_of(depth_colour(line.depth, deepest)), 1);
-    const RayLeaf* lit = lit_leaf(state, edit);
-    for (const ScreenLine& line : state.cells.lines)
-        if (lit != nullptr && line.node == lit->node) draw(line, theme::text, 2);
+    for (const ScreenLine& line : state.ray_cells) draw(line, colour_of(depth_colour(line.depth, deepest)), 1);
+    if (!state.step) return;
+    for (const ScreenLine& line : state.step->leaf.outline) draw(line, theme::text, 2);
 }
 
 /// Of the picture shown, in its own pixels: estimated from a coarse frame.
 UnfinishedPixels unfinished_in(const EngineState& state) {
     if (!state.picture) return {};
     UnfinishedPixels found = state.picture->traced.unfinished;
-    const std::int64_t each = std::int64_t(state.picture->traced.scale) * state.picture->traced.scale;
-    found.pixels *= each;
-    for (std::int64_t& pixels : found.by_reason) pixels *= each;
+    const TracedFrame& traced = state.picture->traced;
+    const double each = traced.scale == 1 ? 1
+                                          : double(state.session.width) * state.session.height /
+                                                (double(traced.frame->width) * traced.frame->height);
+    const auto estimate = [each](std::int64_t& pixels) { pixels = std::llround(double(pixels) * each); };
+    estimate(found.pixels);
+    for (std::int64_t& pixels : found.by_reason) estimate(pixels);
     return found;
 }
 
@@ -60,7 +62,7 @@ UnfinishedPixels unfinished_in(const EngineState& state) {
 
 void draw_marks(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, ImVec2 scale) {
     list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
-    draw_cells(list, area, state, edit, scale);
+    draw_cells(list, area, state, scale);
     if (edit.window.pinned) {
         const ImVec2 at{area.x + (float(edit.window.pinned->x) + 0.5f) * scale.x,
                         area.y + (float(edit.window.pinned->y) + 0.5f) * scale.y};

@@ -147,4 +147,11 @@ bool record_walks(const WalkRequest& request, const std::function<void(const Blo
     return done == blocks.size();
 }
 
+PixelWalks record_pixel(const WalkRequest& request, int x, int y) {
+    Recording recording(request);
+    BlockWalks block{{x, y, x + 1, y + 1}, std::vector<PixelWalks>(1)};
+    record_block(recording, block);
+    return std::move(block.pixels.front());
+}
+
 }  // namespace kd

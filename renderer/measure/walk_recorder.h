@@ -41,4 +41,7 @@ struct BlockWalks {
 bool record_walks(const WalkRequest& request, const std::function<void(const BlockWalks&)>& consume,
                   std::stop_token stop = {}, const std::function<void(float)>& progress = {});
 
+/// The walks of one pixel; the request's blocks do not matter.
+[[nodiscard]] PixelWalks record_pixel(const WalkRequest& request, int x, int y);
+
 }  // namespace kd

@@ -23,6 +23,14 @@ std::uint64_t Walk::interior_steps() const {
     return sum;
 }
 
+std::vector<int> Walk::leaves() const {
+    std::vector<int> nodes;
+    for (const StepRun& run : runs_)
+        for (std::uint32_t i = 0; i < run.count && run.kind == StepKind::leaf; ++i)
+            nodes.push_back(int(run.address + i));
+    return nodes;
+}
+
 std::vector<std::uint32_t> Walk::phases() const {
     std::vector<std::uint32_t> lengths;
     for (const StepRun& run : runs_) {

@@ -27,6 +27,8 @@ class Walk {
     [[nodiscard]] const std::vector<StepRun>& runs() const { return runs_; }
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::uint64_t interior_steps() const;
+    /// The leaves visited, in their order, each as often as it was.
+    [[nodiscard]] std::vector<int> leaves() const;
     /// Lengths of its phases, in turn: steps at interior nodes (perhaps 0), steps at leaves (visits and tests), steps
     /// at interior nodes, ...
     [[nodiscard]] std::vector<std::uint32_t> phases() const;

@@ -161,6 +161,7 @@ TEST(Engine, ReadsThePixelsThatTheFrameHolds) {
     ASSERT_TRUE(state.hovered && state.pinned);
     EXPECT_EQ(state.hovered->primary().counters, frame.layer(Pass::rt_prim).counters.at(32, 24));
     EXPECT_EQ(state.pinned->primary().hit.triangle, frame.layer(Pass::rt_prim).hit.at(1, 2).triangle);
+    EXPECT_TRUE(state.ray_cells.empty());
     engine.set_probes(PixelPosition{64, 0}, std::nullopt);
     EXPECT_FALSE(engine.state().hovered) << "outside";
     EXPECT_FALSE(engine.state().pinned);
@@ -174,14 +175,35 @@ Ray ray_through(const Camera& camera, PixelPosition pixel) {
     return {camera.eye, glm::normalize(p.forward + x * p.right + y * p.up), 0, 1e30f, -1};
 }
 
+/// Boxes of the leaves among the lines, in their order: a leaf's outline is twelve lines.
+std::vector<Aabb> leaf_boxes(const KdTree& tree, const std::vector<WorldLine>& lines) {
+    std::vector<Aabb> boxes;
+    int node = -1;
+    for (const WorldLine& line : lines) {
+        if (!tree.nodes[std::size_t(line.node)].is_leaf()) continue;
+        if (line.node != node) boxes.emplace_back();
+        node = line.node;
+        boxes.back().include(line.a);
+        boxes.back().include(line.b);
+    }
+    return boxes;
+}
+
+/// Where the ray is deepest before its way through the box begins.
+float entry(const Ray& ray, const Aabb& box) {
+    float near = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        near = std::max(near, std::min((box.lower[axis] - ray.origin[axis]) / ray.direction[axis],
+                                       (box.upper[axis] - ray.origin[axis]) / ray.direction[axis]));
+    return near;
+}
+
 TEST(Engine, ShowsTheCellsOfARayWithTheSplits) {
     Session session = small_session();
     Engine engine(session, quiet());
     ASSERT_TRUE(settle(engine));
     engine.set_probes(PixelPosition{32, 24}, std::nullopt);
-    EXPECT_TRUE(engine.state().cells.lines.empty()) << "no splits, no cells";
-    engine.set_probes(std::nullopt, PixelPosition{32, 24});
-    EXPECT_FALSE(engine.state().cells.lines.empty()) << "but those of a pinned pixel, to step through";
+    EXPECT_TRUE(engine.state().ray_cells.empty()) << "no splits, no cells";
     session = engine.state().session;
     session.view.overlay.show = true;
     engine.set_session(session);
@@ -190,21 +212,54 @@ TEST(Engine, ShowsTheCellsOfARayWithTheSplits) {
         engine.set_probes(pixel, std::nullopt);
         const EngineState& state = engine.state();
         ASSERT_TRUE(state.hovered);
-        for (const ScreenLine& line : state.cells.lines) {
+        for (const ScreenLine& line : state.ray_cells) {
             EXPECT_TRUE(line.x0 > -0.01f && line.x0 < 64.01f && line.x1 > -0.01f && line.x1 < 64.01f);
             EXPECT_TRUE(line.y0 > -0.01f && line.y0 < 48.01f && line.y1 > -0.01f && line.y1 < 48.01f);
         }
         const Ray ray = ray_through(state.camera, pixel);
         const PassReading& read = state.hovered->primary();
         ASSERT_GE(read.hit.triangle, 0);
-        const RayCells along = cells_along_ray(state.world->tree, ray, read.hit.t);
-        EXPECT_FALSE(state.cells.lines.empty());
-        EXPECT_LE(state.cells.lines.size(), along.lines.size()) << "those out of the picture are not drawn";
-        const std::vector<RayLeaf>& leaves = state.cells.leaves;
+        const std::vector<WorldLine> lines = lines_along_ray(state.world->tree, ray, read.hit.t);
+        EXPECT_FALSE(state.ray_cells.empty());
+        EXPECT_LE(state.ray_cells.size(), lines.size()) << "those out of the picture are not drawn";
+        const std::vector<Aabb> leaves = leaf_boxes(state.world->tree, lines);
         EXPECT_EQ(leaves.size(), read.counters.leaves) << "as many as the ray visited";
-        for (std::size_t i = 1; i < leaves.size(); ++i) EXPECT_EQ(leaves[i].enters, leaves[i - 1].leaves) << i;
-        EXPECT_NEAR(leaves.back().leaves, read.distance, 1e-4f) << "the ray ends at its hit";
+        for (std::size_t i = 1; i < leaves.size(); ++i)
+            EXPECT_GE(entry(ray, leaves[i]), entry(ray, leaves[i - 1]) - 1e-4f) << "leaf " << i << " comes later";
     }
+}
+
+TEST(Engine, StepsThroughTheLeavesThatWereCounted) {
+    for (const char* scene : {"ball:300", "rooms"})
+        for (const Rules rules : {Rules::robust, Rules::as_published}) {
+            Session session = small_session();
+            session.scene = scene;
+            session.trace.rules = rules;
+            Engine engine(session, quiet());
+            ASSERT_TRUE(settle(engine));
+            for (const PixelPosition pixel : {PixelPosition{32, 24}, PixelPosition{20, 30}, PixelPosition{40, 13}}) {
+                engine.set_probes(std::nullopt, pixel);
+                EXPECT_FALSE(engine.state().step) << "nobody stepped";
+                const int visited = int(engine.state().pinned->primary().counters.leaves);
+                ASSERT_GT(visited, 0);
+                float end = 0;
+                for (int i = 0; i < visited; ++i) {
+                    engine.set_probes(std::nullopt, pixel, i);
+                    const std::optional<StepReading>& step = engine.state().step;
+                    ASSERT_TRUE(step);
+                    EXPECT_EQ(step->number, i);
+                    EXPECT_EQ(step->count, visited);
+                    EXPECT_TRUE(engine.state().world->tree.nodes[std::size_t(step->leaf.node)].is_leaf());
+                    if (std::isnan(step->leaf.enters)) continue;
+                    EXPECT_GE(step->leaf.enters, end);
+                    end = step->leaf.leaves;
+                }
+                const Hit& hit = engine.state().pinned->primary().hit;
+                if (hit.triangle >= 0 && rules == Rules::robust) EXPECT_FLOAT_EQ(end, hit.t) << "it ends at its hit";
+                engine.set_probes(std::nullopt, pixel, visited + 5);
+                EXPECT_EQ(engine.state().step->number, visited - 1) << "no farther than the last";
+            }
+        }
 }
 
 TEST(Engine, WithoutAGpuTheCpuTracesAndOneLineSaysWhy) {

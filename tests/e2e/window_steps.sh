@@ -10,7 +10,7 @@ see_picture plain.png
 press period
 wait_for '^pinned.x='
 wait_for '^step.node='
-leaves=$(value leaves)
+leaves=$(value step.count)
 [[ $leaves == "$(value pinned.primary.leaves)" && $leaves -ge 3 ]] || fail "$leaves leaves to step through, the ray visited $(value pinned.primary.leaves)"
 see_picture first.png
 holds "$(difference plain.png first.png) > 0.001" || fail "the first leaf is not on the screen"
@@ -43,4 +43,25 @@ press period
 wait_for "^step.node=$node\$"
 press Escape
 wait_for '^step=null$'
+
+# The leaves are those of the walk, with the ones that robust rules look into beside the ray, and of the published walk.
+choose "top/scene" rooms
+wait_for '^scene.name=rooms$'
+same_number() {
+    press period
+    wait_for '^step.count='
+    [[ $(value step.count) == "$(value pinned.primary.leaves)" ]] ||
+        fail "$1: $(value step.count) leaves to step through, the ray visited $(value pinned.primary.leaves)"
+}
+for x in 3 4 5; do
+    hover $(($(value frame.width) * x / 9)) $(($(value frame.height) * x / 9))
+    press p
+    same_number robust
+    press Escape
+    wait_for '^pinned=null$'
+done
+press p
+press t
+wait_for '^settings.traversal=restart$'
+same_number restart
 echo "passed"

@@ -58,13 +58,13 @@ TEST(SplitLines, LimitKeepsTheShallowestWhole) {
 std::vector<int> nodes_along(Vec3 origin, Vec3 direction, float t_end) {
     const Ray ray{origin, direction, 0, 1e30f, -1};
     std::vector<int> nodes;
-    for (const WorldLine& line : cells_along_ray(test::three_leaf_tree(), ray, t_end).lines) {
+    for (const WorldLine& line : lines_along_ray(test::three_leaf_tree(), ray, t_end)) {
         if (nodes.empty() || nodes.back() != line.node) nodes.push_back(line.node);
     }
     return nodes;
 }
 
-TEST(CellsAlongRay, LinesInTheOrderOfTheRay) {
+TEST(LinesAlongRay, CellsInTheOrderOfTheRay) {
     EXPECT_EQ(nodes_along({-5, 0, 0}, {1, 0, 0}, 100), (std::vector<int>{0, 1, 2, 3}));
     EXPECT_EQ(nodes_along({5, 0, 0}, {-1, 0, 0}, 100), (std::vector<int>{0, 2, 3, 1}));
     EXPECT_EQ(nodes_along({1, 5, 0}, {0, -1, 0}, 100), (std::vector<int>{0, 2, 4, 3}));
@@ -90,23 +90,6 @@ constexpr Rgba8 untouched{128, 128, 128, 255};
 // Row 24 is just below the centre: it crosses the ball of radius 1 seen from distance 3.
 std::vector<WorldLine> level_line(float z) { return {{{-5, 0, z}, {5, 0, z}, 0, 0}}; }
 
-TEST(CellsAlongRay, LeavesBeginWhereTheOneBeforeEnds) {
-    const Ray ray{{-5, 0, 0}, {1, 0, 0}, 0, 1e30f, -1};
-    const KdTree tree = test::three_leaf_tree();
-    const auto leaves = [&](float t_end) { return cells_along_ray(tree, ray, t_end).leaves; };
-    const std::vector<RayLeaf> all = leaves(100);
-    ASSERT_EQ(all.size(), 2u);
-    EXPECT_EQ(all[0].node, 1);
-    EXPECT_EQ(all[0].depth, 1);
-    EXPECT_EQ(all[1].node, 3);
-    EXPECT_EQ(all[1].depth, 2);
-    EXPECT_EQ(all[0].enters, 5 + tree.bounds.lower.x);
-    EXPECT_EQ(all[0].leaves, all[1].enters);
-    EXPECT_EQ(all[1].leaves, 5 + tree.bounds.upper.x);
-    ASSERT_EQ(leaves(4.25f).size(), 1u);
-    EXPECT_EQ(leaves(4.25f)[0].leaves, 4.25f) << "no farther than the ray";
-}
-
 // The cells along the ray through a pixel beside the ball, over the picture.
 TEST(OverlayGolden, CellsAlongARay) {
     const Scene scene;
@@ -115,12 +98,12 @@ TEST(OverlayGolden, CellsAlongARay) {
     Image<Rgba8> image = paint_beauty(scene.frame);
     OverlayConfig config;
     config.hidden_line = false;
-    draw_lines(image, cells_along_ray(test::three_leaf_tree(), {eye, direction, 0, 1e30f, -1}, 100).lines, scene.camera,
+    draw_lines(image, lines_along_ray(test::three_leaf_tree(), {eye, direction, 0, 1e30f, -1}, 100), scene.camera,
                scene.frame, config);
     test::expect_golden(image, "picture_ray_cells", test::of_lines);
 }
 
-TEST(PixelCells, AreTheLinesAlongThePixelsRayInThePicture) {
+TEST(RayCells, AreTheLinesAlongThePixelsRayInThePicture) {
     const Scene scene;
     const KdTree tree = test::three_leaf_tree();
     const Projection projection(scene.camera, test::frame_width, test::frame_height);
@@ -129,35 +112,31 @@ TEST(PixelCells, AreTheLinesAlongThePixelsRayInThePicture) {
         const Hit& hit = scene.frame.layer(Pass::rt_prim).hit.at(x, y);
         const float t_end = hit.triangle >= 0 ? hit.t : 1e30f;
         std::vector<ScreenLine> expected;
-        const RayCells along = cells_along_ray(tree, {scene.camera.eye, direction, 0, 1e30f, -1}, t_end);
-        for (const WorldLine& line : along.lines) {
+        for (const WorldLine& line : lines_along_ray(tree, {scene.camera.eye, direction, 0, 1e30f, -1}, t_end)) {
             if (const auto s = projection.project_segment(line.a, line.b))
-                expected.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth, line.node});
+                expected.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
         }
-        const auto [leaves, cells] = pixel_cells(tree, scene.camera, test::frame_width, test::frame_height, x, y, hit);
-        EXPECT_EQ(leaves.size(), along.leaves.size());
+        const auto cells = ray_cells(tree, scene.camera, test::frame_width, test::frame_height, x, y, hit);
         ASSERT_EQ(cells.size(), expected.size()) << x << "," << y;
         EXPECT_GT(cells.size(), 8u);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             EXPECT_EQ(cells[i].depth, expected[i].depth);
-            EXPECT_EQ(cells[i].node, expected[i].node);
             EXPECT_FLOAT_EQ(cells[i].x0, expected[i].x0);
             EXPECT_FLOAT_EQ(cells[i].y1, expected[i].y1);
         }
     }
 }
 
-TEST(PixelCells, EndAtTheHitAndAtTheLimit) {
+TEST(RayCells, EndAtTheHitAndAtTheLimit) {
     const Scene scene;
     const auto cells_to = [&](const Hit& hit, std::size_t most) {
-        return pixel_cells(test::three_leaf_tree(), scene.camera, test::frame_width, test::frame_height, 44, 10, hit,
-                           most)
-            .lines;
+        return ray_cells(test::three_leaf_tree(), scene.camera, test::frame_width, test::frame_height, 44, 10, hit,
+                         most);
     };
     const Hit none{-1, 0, 0, 0};
     EXPECT_EQ(cells_to(none, 5).size(), 5u);
     EXPECT_LT(cells_to({3, 1.1f, 0, 0}, 4000).size(), cells_to(none, 4000).size());
-    EXPECT_TRUE(pixel_cells(KdTree{}, scene.camera, 64, 48, 20, 24, none).lines.empty()) << "no triangles, no cells";
+    EXPECT_TRUE(ray_cells(KdTree{}, scene.camera, 64, 48, 20, 24, none).empty()) << "no triangles, no cells";
 }
 
 TEST(DrawLines, BehindTheBallIsHiddenAndBesideItIsNot) {
