@@ -365,6 +365,23 @@ TEST(Bench, TableKeepsWithinAHundredLetters) {
     EXPECT_LE(widest(outcome.out), 100u) << outcome.out;
     EXPECT_NE(outcome.out.find("\ncpu: "), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("; clock: steady clock\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("too few rounds"), std::string::npos) << outcome.out;
+}
+
+TEST(Bench, TellsEachSceneWhereStandardErrorIsNoTerminal) {
+    const test::Outcome outcome = run_kdscope({"bench", "cornell", "ball:100", "--size", "8x8", "--rounds", "2",
+                                               "--warmup", "1", "--tracer", "cpu", "--traversal", "stack"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "kdscope: timing cornell: 1 traversal on 1 tracer, 3 frames of each\n"
+                           "kdscope: timing ball:100: 1 traversal on 1 tracer, 3 frames of each\n");
+}
+
+TEST(Bench, SaysHowManyRoundsAnIntervalTakes) {
+    const test::Outcome outcome =
+        run_kdscope({"bench", "cornell", "--size", "8x8", "--rounds", "5", "--warmup", "0", "--tracer", "cpu"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\ntoo few rounds: the 95 % interval of a ratio takes 6.\n"), std::string::npos)
+        << outcome.out;
 }
 
 }  // namespace
