@@ -208,11 +208,18 @@ TEST_F(Trace, WrongAnswersAreToldExactlyAndCanBeFedBack) {
     EXPECT_EQ(read_file(folder.file("none.csv")), "ox,oy,oz,dx,dy,dz,tmin,tmax\n");
 }
 
-/// A ray that cannot be traced is answered rightly when the walk refuses it.
-TEST_F(Trace, InvalidRaysAreNoFailures) {
-    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,1,3.95,0,0,0\nnan,1,3.95,0,0,1\n";
+/// A ray that cannot be traced is answered rightly when the walk refuses it, and counted for whoever meant something.
+TEST_F(Trace, InvalidRaysAreNoFailuresButTold) {
+    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,1,3.95,0,0,-1\n0,1,3.95,0,0,0\nnan,1,3.95,0,0,1\n";
     const test::Outcome outcome = run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-", "--tracer", "cpu"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("kdscope: note: 2 of 3 rays are invalid, the first ray 1: ")) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("1,") || line.starts_with("2,")) {
+            EXPECT_TRUE(line.ends_with(",4")) << line;
+        }
 }
 
 TEST(Verify, PassesOnAScene) {
