@@ -80,12 +80,10 @@ void run_slivers(CaseRun& run) {
         e.what = fmt::format("width {}: ", width);
         run.check(subject, rays, e);
         const std::vector<f64::Hit> exact = run.exact_hits(subject.scene, rays);
-        run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-            std::vector<Hit> hits(rays.size());
-            (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-            run.check_stop();
-            for (std::size_t i = 0; i < rays.size(); ++i) judge_sliver(subject.scene, rays[i], hits[i], exact[i], row);
-        });
+        const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+            judge_sliver(subject.scene, rays[i], hit, exact[i], row);
+        };
+        run.each_answer(subject, rays, judge, CaseRun::Counted::by_check);
     }
 }
 
@@ -129,19 +127,15 @@ void run_grazing(CaseRun& run) {
         run.check(plane, rays, e);
         const std::vector<f64::Hit> exact = run.exact_hits(plane.scene, rays);
         double worst = 0;
-        run.each(plane, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-            std::vector<Hit> hits(rays.size());
-            (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-            run.check_stop();
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                if (hits[i].triangle < 0 || exact[i].triangle < 0) continue;
-                const double error = std::abs(double(hits[i].t) - exact[i].t) / grazing_bound(double(angle));
-                worst = std::max(worst, error);
-                if (!(error <= 1))
-                    CaseRun::fail(row, fmt::format("{}t errs by {:.3g} of the bound: ray {}: found {}", e.what, error,
-                                                   exact_text(rays[i]), exact_text(hits[i])));
-            }
-        });
+        const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+            if (hit.triangle < 0 || exact[i].triangle < 0) return;
+            const double error = std::abs(double(hit.t) - exact[i].t) / grazing_bound(double(angle));
+            worst = std::max(worst, error);
+            if (!(error <= 1))
+                CaseRun::fail(row, fmt::format("{}t errs by {:.3g} of the bound: ray {}: found {}", e.what, error,
+                                               exact_text(rays[i]), exact_text(hit)));
+        };
+        run.each_answer(plane, rays, judge, CaseRun::Counted::by_check);
         told += fmt::format(" 1e-{}: {:.2g};", power, worst);
     }
     run.record("bound", 8, 0, told);
