@@ -80,6 +80,10 @@ void add_scenes(CLI::App& app, CommonOptions& options) {
     app.add_option("SCENE", options.scenes, "Scenes by name, or .gltf or .glb files")->required()->type_name("");
 }
 
+CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& o) {
+    return app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
+}
+
 void add_shading_options(CLI::App& app, CommonOptions& o) {
     TraceConfig& trace = o.session.trace;
     const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
@@ -100,7 +104,7 @@ void add_shading_options(CLI::App& app, CommonOptions& o) {
         add_number<int>(
             app, "--entry-tile", trace.entry_tile, 0, 1024,
             "Primary rays begin at the entry point of their tile of so many pixels each way; 0 is the root"),
-        app.add_flag("--no-shadows", o.no_shadows, "No shadow rays"),
+        add_shadows_option(app, o),
         add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
                         fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
         add_number<float>(

@@ -11,7 +11,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace kd {
 
@@ -46,6 +47,7 @@ void add_scenes(CLI::App& app, CommonOptions& options);
 void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
 void add_tracing_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& options);
 /// Mirrors, shadows, how leaves are stored, how pixels are culled, and features to keep.
 void add_shading_options(CLI::App& app, CommonOptions& options);
 void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});

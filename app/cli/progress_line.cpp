@@ -13,6 +13,10 @@ constexpr int bar_width = 30;
 constexpr const char* wipe = "\r\x1b[K";
 }  // namespace
 
+void tell_work(const CommandContext& context, const std::string& what) {
+    if (!context.progress) context.err << fmt::format("kdscope: {}\n", printable(what)) << std::flush;
+}
+
 ProgressLine::~ProgressLine() {
     if (drawn_) err_ << wipe << std::flush;
 }

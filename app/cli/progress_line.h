@@ -10,6 +10,9 @@
 
 namespace kd {
 
+/// A whole line for work that takes minutes, where `err` is no terminal that could show how far it is.
+void tell_work(const CommandContext& context, const std::string& what);
+
 /// Draws only where the context's `err` is a terminal; wiped at the end of the scope.
 class ProgressLine {
   public:

@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/counted.h"
 #include "app/cli/idle_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
@@ -53,10 +54,14 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     if (s.early_z == EarlyZ::as_published)
         bench.notes.emplace_back("gl-fragment with early z as published: it culls no pixel");
     auto tracers = open_tracers(options, bench);
+    const std::vector<Traversal> walks = wanted_traversals(options, options.naive);
+    tell_work(context,
+              fmt::format("timing {}: {} on {}, {} of each", s.scene, counted(walks.size(), "traversal"),
+                          counted(tracers.size(), "tracer"), counted(options.warmup + options.rounds, "frame")));
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
     for (auto& [kind, tracer] : tracers)
-        for (const Traversal traversal : wanted_traversals(options, options.naive)) {
+        for (const Traversal traversal : walks) {
             TraceConfig config = s.trace;
             config.traversal = traversal;
             const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));

@@ -68,6 +68,8 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
     const char* p1_alone = "only P1 uses it, which --report leaves out";
     note_idle(app, {{"--tracer", images, p1_alone}, {"--context", images, p1_alone}, {"--traversal", images, p1_alone}},
               context);
+    const bool frames = images || config.wants(ErrorReport::p3) || config.wants(ErrorReport::p4);
+    note_idle(app, {{"--no-shadows", frames, "P2 traces single rays; the other reports trace frames"}}, context);
     if (images) require_context(options, true);
     std::vector<OpenedScene> scenes;
     for (const std::string& name : options.scenes) {
@@ -108,6 +110,7 @@ CommandBody declare(CLI::App& app) {
         fmt::format("Time to aim at, for all of it [{}; --quick {}]", options->config.seconds, quick_seconds));
     add_machine_options(app, *options);
     add_tracing_options(app, *options, {.traversal = "stack, restart, backtrack", .tracer = "all"});
+    add_shadows_option(app, *options);
     add_tree_options(app, *options);
     add_camera_options(app, *options);
     return [options, &app](CommandContext& context) { return run(app, *options, context); };

@@ -71,14 +71,15 @@ std::string verdict_text(const JudgedLayer& judged) {
     return text;
 }
 
-void print(std::ostream& out, const Rendering& r) {
+/// `listed`: why features are left out is about to be told.
+void print(std::ostream& out, const Rendering& r, bool listed) {
     const Session& s = r.session;
     out << fmt::format("scene     {}: {}\n", s.scene, contents_text(r.scene));
     for (const std::string& note : r.scene.notes) out << "note      " << note << '\n';
     out << fmt::format("tree      {}: {}, {} {}, SAH cost {:.2f}, built in {:.1f} ms\n", s.build.builder,
                        counted(r.stats.nodes, "node"), r.stats.leaves, r.stats.leaves == 1 ? "leaf" : "leaves",
                        r.stats.sah_cost, 1e3 * r.build.seconds);
-    out << fmt::format("left out  {}; --needs tells why\n", counted(r.left_out.size(), "feature"));
+    out << fmt::format("left out  {}{}\n", counted(r.left_out.size(), "feature"), listed ? "" : "; --needs tells why");
     out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
                        name_of(s.tracer), r.time.total_ms, r.clock);
     for (std::size_t pass = 0; pass < pass_count; ++pass)
@@ -155,7 +156,7 @@ int run(const CLI::App& app, const RenderOptions& options, CommandContext& conte
     check(options, session);
 
     const Rendering rendering = render(options, session, context);
-    print(context.out, rendering);
+    print(context.out, rendering, options.needs);
     const auto wrote = [&](const std::string& path, const std::string& what = "") {
         context.out << "wrote     " << path << what << '\n';
     };

@@ -187,21 +187,18 @@ std::vector<Traversal> counted_traversals(const CommonOptions& common) {
 /// Of a scene's traversals, loops and kinds of rays.
 void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOptions& options, const std::string& name,
               const std::vector<Traversal>& counted, CommandContext& context, std::vector<Row>& rows) {
-    auto [session, scene, tree, camera] = open_walked(common, name, context);
-    tracer.upload(scene, tree);
+    const WalkedScene walked = open_walked(common, name, context);
+    tracer.upload(walked.scene, walked.tree);
     ProgressLine progress(context);
-    for (const Traversal traversal : counted) {
-        session.trace.traversal = traversal;
+    for (const Traversal traversal : counted)
         for (const Schedule loop : {Schedule::if_if, Schedule::while_while})
-            for (const Pass rays : rays_of(scene, session.trace, options)) {
+            for (const Pass rays : rays_of(walked.scene, walked.session.trace, options)) {
                 progress.show(0, fmt::format("{}: {}, {}, {} rays", name, info(traversal).name, info(loop).name,
                                              ray_names[std::size_t(rays)]));
-                const BallotTask task{scene,          tree, session.trace, camera,         session.width,
-                                      session.height, rays, loop,          session.threads};
-                rows.push_back({name, traversal, loop, rays, check_ballots(tracer, task, context.stop)});
+                rows.push_back({name, traversal, loop, rays,
+                                check_ballots(tracer, walked.request(traversal, rays), loop, context.stop)});
                 check_stop(context);
             }
-    }
 }
 
 }  // namespace

@@ -183,6 +183,19 @@ WalkedScene open_walked(const CommonOptions& common, const std::string& name, Co
     return opened;
 }
 
+WalkRequest WalkedScene::request(Traversal traversal, Pass rays) const {
+    TraceConfig config = session.trace;
+    config.traversal = traversal;
+    return {.scene = scene,
+            .tree = tree,
+            .config = config,
+            .camera = camera,
+            .width = session.width,
+            .height = session.height,
+            .rays = rays,
+            .threads = session.threads};
+}
+
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     const std::vector<TileShape> shapes = shapes_of(options);
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
@@ -191,27 +204,18 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
     Json all = Json::array();
     std::vector<std::pair<std::string, std::string>> charts;
     for (const std::string& name : common.scenes) {
-        auto [session, scene, tree, camera] = open_walked(common, name, context);
+        const WalkedScene walked = open_walked(common, name, context);
         if (!json)
             context.out << fmt::format("{}{}: {}; {}x{}\n", name == common.scenes.front() ? "" : "\n", name,
-                                       contents_text(scene), session.width, session.height);
+                                       contents_text(walked.scene), walked.session.width, walked.session.height);
         Json reports = Json::array();
         for (const Traversal traversal : wanted_traversals(common, false))
-            for (const Pass rays : rays_of(scene, session.trace, options)) {
-                session.trace.traversal = traversal;
+            for (const Pass rays : rays_of(walked.scene, walked.session.trace, options)) {
                 ProgressLine progress(context);
                 const std::string what =
                     fmt::format("{}: {}, {} rays", name, info(traversal).name, ray_names[std::size_t(rays)]);
-                const auto report =
-                    measure_divergence({.scene = scene,
-                                        .tree = tree,
-                                        .config = session.trace,
-                                        .camera = camera,
-                                        .width = session.width,
-                                        .height = session.height,
-                                        .rays = rays,
-                                        .threads = session.threads},
-                                       shapes, context.stop, [&](float done) { progress.show(done, what); });
+                const auto report = measure_divergence(walked.request(traversal, rays), shapes, context.stop,
+                                                       [&](float done) { progress.show(done, what); });
                 if (!report) throw Interrupted();
                 csv += divergence_csv(name, *report);
                 reports.push_back(json_of(*report));
@@ -220,8 +224,8 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                     charts.emplace_back(numbered(options.svg, charts.size()),
                                         chart_svg(width_chart(*report), context.stop));
             }
-        all.push_back({{"settings", kd::json_of(session)},
-                       {"scene", kd::json_of(scene)},
+        all.push_back({{"settings", kd::json_of(walked.session)},
+                       {"scene", kd::json_of(walked.scene)},
                        {"divergence", reports},
                        {"measured_on", kd::json_of(on)}});
     }

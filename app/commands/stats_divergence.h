@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/common_options.h"
 #include "renderer/kdtree/tree.h"
+#include "renderer/measure/walk_recorder.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/scene.h"
 
@@ -23,6 +24,9 @@ struct WalkedScene {
     FlatScene scene;
     KdTree tree;
     PinholeCamera camera;
+
+    /// What to walk for one table. The scene must outlive it.
+    [[nodiscard]] WalkRequest request(Traversal traversal, Pass rays) const;
 };
 /// InputError, Interrupted.
 [[nodiscard]] WalkedScene open_walked(const CommonOptions& common, const std::string& name, CommandContext& context);

@@ -117,6 +117,8 @@ std::string trace_all(const TraceOptions& options, const std::vector<std::unique
 
 /// What is wrong, line by line, and the rays as a file where one was asked for; the exit code.
 int report(const TraceOptions& options, const TraceCheck& check, CommandContext& context) {
+    if (const std::string invalid = check.invalid_text(); !invalid.empty())
+        context.err << fmt::format("kdscope: note: {}\n", invalid);
     for (const std::string& failure : check.failures()) context.err << "kdscope: " << failure << '\n';
     if (!check.passed()) context.err << "kdscope: " << check.summary() << '\n';
     if (check.passed() && options.output != "-") context.out << "checked: " << check.summary() << '\n';

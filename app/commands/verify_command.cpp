@@ -8,11 +8,11 @@
 
 #include "app/cli/counted.h"
 #include "app/cli/idle_options.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/verify_needs.h"
+#include "app/commands/verify_scenes.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "renderer/measure/verify.h"
@@ -132,31 +132,12 @@ int run(const CLI::App& app, const VerifyOptions& options, CommandContext& conte
     check_uses(app, options);
     if (options.needs) return verify_needs(options, options.json, context);
     note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
-    require_context(options, true);
-    bool passed = true;
-    Json json = Json::array();
-    for (const std::string& name : options.scenes) {
-        Session session = options.session_for(name);
-        const VerifyConfig config = config_for(options, session);
-        const FlatScene scene = open_scene(options, session);
-        VerifyReport report;
-        {
-            ProgressLine progress(context);
-            const auto show = [&](float done, const std::string& what) { progress.show(done, name + ": " + what); };
-            report = verify(scene, session.build, config, show, context.stop);
-        }
-        check_stop(context);
-        passed = passed && report.passed();
-        if (options.json)
-            json.push_back(with_machine(json_of(report), measured_on(session.threads, session.seed)));
-        else {
-            if (name != options.scenes.front()) context.out << '\n';
-            print(context.out, name, report);
-            context.out.flush();
-        }
-    }
-    if (options.json) context.out << json_text(json);
-    return passed ? exit_ok : exit_check_failed;
+    const auto check = [&](const Session& session, const FlatScene& scene, const CheckProgress& show) {
+        const VerifyReport report = verify(scene, session.build, config_for(options, session), show, context.stop);
+        return CheckedScene{report.passed(), with_machine(json_of(report), measured_on(session.threads, session.seed)),
+                            [report, name = session.scene](std::ostream& out) { print(out, name, report); }};
+    };
+    return check_scenes(options, options.json, context, check);
 }
 
 CommandBody declare(CLI::App& app) {

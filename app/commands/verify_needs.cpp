@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "app/cli/counted.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
+#include "app/commands/verify_scenes.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "renderer/measure/needs_check.h"
@@ -73,33 +73,15 @@ void print(std::ostream& out, const std::string& scene, const NeedsCheckReport& 
 }  // namespace
 
 int verify_needs(const CommonOptions& options, bool as_json, CommandContext& context) {
-    require_context(options, true);
-    bool passed = true;
-    Json json = Json::array();
-    for (const std::string& name : options.scenes) {
-        Session session = options.session_for(name);
-        check_frame_memory(session.width, session.height);
-        const FlatScene scene = open_scene(options, session);
+    check_frame_memory(options.session.width, options.session.height);
+    const auto check = [&](const Session& session, const FlatScene& scene, const CheckProgress& show) {
         const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
         check_stop(context);
-        NeedsCheckReport report;
-        {
-            ProgressLine progress(context);
-            const auto show = [&](float done, const std::string& what) { progress.show(done, name + ": " + what); };
-            report = check_needs(scene, tree, config_for(options, session), show, context.stop);
-        }
-        check_stop(context);
-        passed = passed && report.passed();
-        if (as_json) {
-            json.push_back(json_of(name, report));
-        } else {
-            if (name != options.scenes.front()) context.out << '\n';
-            print(context.out, name, report);
-            context.out.flush();
-        }
-    }
-    if (as_json) context.out << json_text(json);
-    return passed ? exit_ok : exit_check_failed;
+        const NeedsCheckReport report = check_needs(scene, tree, config_for(options, session), show, context.stop);
+        return CheckedScene{report.passed(), json_of(session.scene, report),
+                            [report, name = session.scene](std::ostream& out) { print(out, name, report); }};
+    };
+    return check_scenes(options, as_json, context, check);
 }
 
 }  // namespace kd

@@ -8,6 +8,7 @@
 #include "app/cli/common_options.h"
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -48,7 +49,8 @@ double steps_per_pixel(const Frame& frame) {
 
 std::string how_text(const Session& s) {
     std::string text = fmt::format("{}, {}", info(s.trace.traversal).name, name_of(s.tracer));
-    if (s.trace.rules != Rules::robust) text += fmt::format(", {}", info(s.trace.rules).name);
+    if (const Rules rules = rules_in_force(s.trace); rules != Rules::robust)
+        text += fmt::format(", {}", info(rules).name);
     return text;
 }
 

@@ -41,7 +41,7 @@ struct DuelState {
     [[nodiscard]] double mrays_per_s(const TimeSummary& time) const;
     /// Enough rounds of both machines to say who is faster.
     [[nodiscard]] bool decided() const { return ratio.sure(); }
-    static constexpr int least_rounds = 6;  // that an interval of 95 % takes
+    static constexpr int least_rounds = MedianInterval::least_samples;
     static constexpr std::size_t history = 60;
 };
 

@@ -101,7 +101,7 @@ class Run {
     SceneErrorTime measure_scene(const OpenedScene& opened, const ReportName& name) {
         SceneErrorTime result;
         result.session = opened.session;
-        result.contents = contents_text(opened.scene);
+        result.contents = contents_text(opened.scene) + (opened.session.trace.shadows ? "" : ", no shadow rays");
         result.name = name;
         const double share = 1 / double(scenes_.size()) / all_shares_;
         double trees = 0;

@@ -10,6 +10,7 @@
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/paper/node_sizes.h"
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
 
@@ -203,8 +204,10 @@ class PaperRun {
         for (const auto& [name, stage] : stages_)
             if (stage.gpu) results_.on = measured_on(config_.base.threads, config_.base.seed, stage.gpu.get());
         tell(0.2f, "warming up");
-        const TimingPlan plan{
-            .warmup = config_.warmup, .rounds = config_.most_rounds, .budget_s = config_.budget_s, .least_rounds = 6};
+        const TimingPlan plan{.warmup = config_.warmup,
+                              .rounds = config_.most_rounds,
+                              .budget_s = config_.budget_s,
+                              .least_rounds = MedianInterval::least_samples};
         const auto begin = std::chrono::steady_clock::now();
         const auto show = [&](int rounds, std::span<const TimedRounds> so_far) {
             take_over(so_far);

@@ -132,9 +132,11 @@ void print(std::ostream& out, const BenchScene& bench, int warmup) {
     const std::size_t rounds = bench.rows.empty() ? 0 : bench.rows.front().timed.rounds.size();
     out << fmt::format(
         "Whole frames; {} in turn after {} warm-up; compiling, uploading and counting apart.\nms: median; p25 to p75: "
-        "their middle half; steps at nodes and triangle tests per ray;\nin brackets: the 95 % interval of the median "
-        "ratio, round by round.\n",
-        counted(rounds, "round"), warmup);
+        "their middle half; steps at nodes and triangle tests per ray;\n{}.\n",
+        counted(rounds, "round"), warmup,
+        rounds < MedianInterval::least_samples
+            ? fmt::format("too few rounds: the 95 % interval of a ratio takes {}", MedianInterval::least_samples)
+            : "in brackets: the 95 % interval of the median ratio, round by round");
 }
 
 }  // namespace kd

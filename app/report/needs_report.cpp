@@ -118,9 +118,12 @@ void print(std::ostream& out, const NeedsReport& report) {
     if (report.renderer.empty()) return;
     out << fmt::format(
         "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn:\nthe median and the "
-        "interval that holds it with 95 %. No difference seen: the interval holds 0.\nMemory: of tables and targets.\n"
-        "Clock: {}; {}.\n",
-        counted(std::size_t(report.rounds), "round"), report.clock, report.renderer);
+        "interval that holds it with 95 %. {}\nMemory: of tables and targets.\nClock: {}; {}.\n",
+        counted(std::size_t(report.rounds), "round"),
+        report.rounds < MedianInterval::least_samples
+            ? fmt::format("Too few rounds: an interval takes {}.", MedianInterval::least_samples)
+            : "No difference seen: the interval holds 0.",
+        report.clock, report.renderer);
 }
 
 Json json_of(const NeedsReport& report) {

@@ -5,9 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "app/cli/counted.h"
 #include "renderer/measure/compare.h"
 #include "renderer/measure/ray_judge.h"
 #include "renderer/scene/units.h"
+#include "renderer/trace/counters.h"
 
 namespace kd {
 
@@ -20,7 +22,7 @@ constexpr std::size_t most_lines = 100;
 
 TraceCheck::TraceCheck(const FlatScene& scene, std::span<const Ray> asked, int threads, ProgressLine& progress,
                        const CommandContext& context)
-    : oracle_(scene), asked_(asked), failed_(asked.size()) {
+    : oracle_(scene), asked_(asked), failed_(asked.size()), invalid_(asked.size()) {
     for (const Ray& ray : asked) rays_.push_back(to_internal(scene, ray));
     for (std::size_t first = 0; first < rays_.size(); first += rays_per_step) {
         progress.show(float(first) / float(rays_.size()), "double precision");
@@ -34,6 +36,7 @@ TraceCheck::TraceCheck(const FlatScene& scene, std::span<const Ray> asked, int t
 void TraceCheck::compare(const std::string& who, std::span<const Hit> hits, std::span<const RayCounters> counters) {
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const JudgedHit judged = judge_ray(oracle_, rays_[i], exact_[i], hits[i], counters[i].exit_reason);
+        if (counters[i].exit_reason == uint(KD_EXIT_INVALID_RAY)) invalid_[i] = true;
         ++counts_[std::size_t(judged.verdict)];
         if (!is_wrong(judged.verdict)) continue;
         ++wrong_;
@@ -55,6 +58,14 @@ std::string TraceCheck::summary() const {
     const std::int64_t n = std::accumulate(counts_.begin(), counts_.end(), std::int64_t(0));
     return fmt::format("{} of {} answers {} wrong in double precision", wrong_, n, wrong_ == 1 ? "is" : "are") +
            wrong_text(counts_);
+}
+
+std::string TraceCheck::invalid_text() const {
+    const auto n = std::ranges::count(invalid_, true);
+    if (n == 0) return "";
+    return fmt::format("{} of {} {} invalid, the first ray {}: without a direction, not finite, or tmin not below tmax",
+                       n, counted(invalid_.size(), "ray"), n == 1 ? "is" : "are",
+                       std::ranges::find(invalid_, true) - invalid_.begin());
 }
 
 std::vector<Ray> TraceCheck::failed_rays() const {

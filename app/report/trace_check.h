@@ -28,6 +28,8 @@ class TraceCheck {
     [[nodiscard]] std::string summary() const;
     /// A line for each wrong answer, the first hundred.
     [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
+    /// "2 of 80 rays are invalid, the first ray 7: ..."; empty where every ray could be traced.
+    [[nodiscard]] std::string invalid_text() const;
     /// The rays that some answer to was wrong, as they came.
     [[nodiscard]] std::vector<Ray> failed_rays() const;
 
@@ -39,7 +41,7 @@ class TraceCheck {
     std::span<const Ray> asked_;
     std::vector<Ray> rays_;
     std::vector<f64::Hit> exact_;
-    std::vector<bool> failed_;
+    std::vector<bool> failed_, invalid_;  // by some answer
     VerdictCounts counts_{};
     std::int64_t wrong_ = 0;
     std::vector<std::string> failures_;

@@ -13,8 +13,8 @@ namespace {
 
 class BinnedSplitter : public Splitter {
   public:
-    BinnedSplitter(const BuildConfig& config, const TriangleRanges& ranges)
-        : config_(config), ranges_(ranges), starts_(std::size_t(config.bins)), ends_(starts_), planar_(starts_) {}
+    BinnedSplitter(const BuildTask& task, const TriangleRanges& ranges)
+        : config_(task.config), ranges_(ranges), starts_(std::size_t(config_.bins)), ends_(starts_), planar_(starts_) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return lists.top().size() <= starts_.size() ? sweep(cell, lists.top()) : choose_plane(cell, lists);
@@ -112,18 +112,12 @@ class BinnedSplitter : public Splitter {
     std::array<std::vector<SweepEvent>, 3> events_;  // room for one small cell
 };
 
-KdTree build_binned(const BuildTask& task) {
-    const TriangleRanges ranges(task.triangles);
-    BinnedSplitter splitter(task.config, ranges);
-    return grow_tree(task, ranges, splitter);
-}
-
 }  // namespace
 
 Builder binned_builder() {
     return {"binned", "SAH, binned",
             "Surface area heuristic at evenly spaced planes on all axes, exact in small cells; sorts nothing large.",
-            build_binned, true};
+            grow_with<BinnedSplitter>, true};
 }
 
 }  // namespace kd

@@ -82,19 +82,13 @@ class ExactSplitter : public Splitter {
     PartEvents part_events_;
 };
 
-KdTree build_exact(const BuildTask& task) {
-    const TriangleRanges ranges(task.triangles);
-    ExactSplitter splitter(task, ranges);
-    return grow_tree(task, ranges, splitter);
-}
-
 }  // namespace
 
 Builder exact_builder() {
     return {
         "exact", "SAH, exact with clipping",
         "Surface area heuristic at all ends of the triangles' parts in the cell, on all axes: the best trees, slowest.",
-        build_exact};
+        grow_with<ExactSplitter>};
 }
 
 }  // namespace kd

@@ -13,7 +13,7 @@ namespace {
 
 class MedianSplitter : public Splitter {
   public:
-    MedianSplitter(const BuildConfig& config, const TriangleRanges& ranges) : config_(config), ranges_(ranges) {}
+    MedianSplitter(const BuildTask& task, const TriangleRanges& ranges) : config_(task.config), ranges_(ranges) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         const int longest = longest_axis(cell);
@@ -47,18 +47,12 @@ class MedianSplitter : public Splitter {
     }
 };
 
-KdTree build_object_median(const BuildTask& task) {
-    const TriangleRanges ranges(task.triangles);
-    MedianSplitter splitter(task.config, ranges);
-    return grow_tree(task, ranges, splitter);
-}
-
 }  // namespace
 
 Builder object_median_builder() {
     return {"object-median", "Object median",
             "Splits every cell across its longest axis so that as many triangles lie on either side.",
-            build_object_median};
+            grow_with<MedianSplitter>};
 }
 
 }  // namespace kd

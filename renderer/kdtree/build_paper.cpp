@@ -51,27 +51,20 @@ class PaperSplitter : public Splitter {
     SweepEvents events_;
 };
 
-template <Cycle cycle>
-KdTree build_paper(const BuildTask& task) {
-    const TriangleRanges ranges(task.triangles);
-    PaperSplitter splitter(task, ranges, cycle);
-    return grow_tree(task, ranges, splitter);
-}
-
 }  // namespace
 
 Builder paper_builder() {
     return {
         "paper", "SAH as in the paper",
         "Surface area heuristic over the ends of triangle projections, longest axis first, else the cheapest of all.",
-        build_paper<Cycle::all_of_them>};
+        grow_with<PaperSplitter, Cycle::all_of_them>};
 }
 
 Builder paper_cycle_builder() {
     return {"paper-cycle", "SAH as in the paper, other reading",
             "Surface area heuristic over the ends of triangle projections, on the first axis that serves from the "
             "longest on.",
-            build_paper<Cycle::until_one_serves>};
+            grow_with<PaperSplitter, Cycle::until_one_serves>};
 }
 
 }  // namespace kd

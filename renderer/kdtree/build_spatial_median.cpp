@@ -10,7 +10,7 @@ namespace {
 
 class MiddleSplitter : public Splitter {
   public:
-    explicit MiddleSplitter(const BuildConfig& config) : config_(config) {}
+    MiddleSplitter(const BuildTask& task, const TriangleRanges&) : config_(task.config) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         const int axis = longest_axis(cell);
@@ -22,16 +22,11 @@ class MiddleSplitter : public Splitter {
     const BuildConfig& config_;
 };
 
-KdTree build_spatial_median(const BuildTask& task) {
-    const TriangleRanges ranges(task.triangles);
-    MiddleSplitter splitter(task.config);
-    return grow_tree(task, ranges, splitter);
-}
-
 }  // namespace
 
 Builder spatial_median_builder() {
-    return {"spatial-median", "Spatial median", "Halves every cell across its longest axis.", build_spatial_median};
+    return {"spatial-median", "Spatial median", "Halves every cell across its longest axis.",
+            grow_with<MiddleSplitter>};
 }
 
 }  // namespace kd

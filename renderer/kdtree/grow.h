@@ -28,6 +28,14 @@ class Splitter {
 /// Splits as `splitter` says within the limits of the task's configuration. Uses a work list, never recursion.
 [[nodiscard]] KdTree grow_tree(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter);
 
+/// Builder::build of a splitter that is made from the task, the triangles' ranges and `more`.
+template <class Kind, auto... more>
+[[nodiscard]] KdTree grow_with(const BuildTask& task) {
+    const TriangleRanges ranges(task.triangles);
+    Kind splitter(task, ranges, more...);
+    return grow_tree(task, ranges, splitter);
+}
+
 /// Axis along which the box is longest; the first of equals.
 [[nodiscard]] int longest_axis(const Aabb& box);
 

@@ -9,7 +9,6 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/path_rays.h"
-#include "renderer/measure/walk_recorder.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -33,32 +32,24 @@ bool shadow(Pass rays) { return rays == Pass::shade_prim || rays == Pass::shade_
 /// All rays of a pass as rounds.
 class Rounds {
   public:
-    Rounds(const BallotTask& task, const std::stop_token& stop) : task_(task), config_(task.config) {
-        config_.reflection_depth = std::min(config_.reflection_depth, 1);
-        config_.entry_tile = 0;  // the shader that counts takes rays from a table, each from the root
-        frame_ = Frame(task.width, task.height);
-        CpuTracer(task.scene, task.tree).trace_frame(config_, task.camera, frame_, task.threads, stop);
-        const int count = shadow(task.rays) ? int(task.scene.lights.size()) : 1;
+    Rounds(const WalkRequest& request, const std::stop_token& stop)
+        : request_(request), frame_(request.width, request.height) {
+        request_.config.reflection_depth = std::min(request_.config.reflection_depth, 1);
+        request_.config.entry_tile = 0;  // the shader that counts takes rays from a table, each from the root
+        const WalkRequest& r = request_;
+        CpuTracer(r.scene, r.tree).trace_frame(r.config, r.camera, frame_, r.threads, stop);
+        const int count = shadow(r.rays) ? int(r.scene.lights.size()) : 1;
         const std::size_t pixels = frame_.colour.pixels.size();
         rounds_.assign(std::size_t(count), {std::vector<Ray>(pixels, no_ray), std::vector<Phases>(pixels),
                                             std::vector<std::uint8_t>(pixels, 0)});
         record_walks(
-            {.scene = task.scene,
-             .tree = task.tree,
-             .config = config_,
-             .camera = task.camera,
-             .width = task.width,
-             .height = task.height,
-             .rays = task.rays,
-             .threads = task.threads},
-            [&](const BlockWalks& block) { add(block); }, stop);
+            r, [&](const BlockWalks& block) { add(block); }, stop);
     }
 
     [[nodiscard]] const std::vector<Round>& all() const { return rounds_; }
 
   private:
-    const BallotTask& task_;
-    TraceConfig config_;
+    WalkRequest request_;
     Frame frame_;
     std::vector<Round> rounds_;
 
@@ -77,12 +68,12 @@ class Rounds {
     /// The ray that the frame's passes have traced, from what they found.
     [[nodiscard]] Ray ray_of(int x, int y, int round) const {
         const std::size_t i = frame_.colour.index(x, y);
-        const bool mirrored = task_.rays == Pass::rt_refl || task_.rays == Pass::shade_refl;
+        const bool mirrored = request_.rays == Pass::rt_refl || request_.rays == Pass::shade_refl;
         const Pass arriving = mirrored ? Pass::rt_refl : Pass::rt_prim;
-        const Ray ray = ray_of_pixel(task_.scene, task_.camera, frame_, arriving, x, y).value_or(no_ray);
-        if (!shadow(task_.rays)) return ray;
-        return shadow_ray(task_.scene, ray, frame_.layer(arriving).hit.pixels[i],
-                          task_.scene.lights[std::size_t(round)])
+        const Ray ray = ray_of_pixel(request_.scene, request_.camera, frame_, arriving, x, y).value_or(no_ray);
+        if (!shadow(request_.rays)) return ray;
+        return shadow_ray(request_.scene, ray, frame_.layer(arriving).hit.pixels[i],
+                          request_.scene.lights[std::size_t(round)])
             .ray;
     }
 };
@@ -123,12 +114,13 @@ void find_tile(const BallotLayer& layer, BallotReport& report) {
 /// One drawing and what the CPU says of it.
 class Comparison {
   public:
-    Comparison(const BallotTask& task, const Round& round, const BallotLayer& layer, BallotReport& report)
-        : task_(task), round_(round), layer_(layer), report_(report) {}
+    Comparison(const WalkRequest& request, Schedule loop, const Round& round, const BallotLayer& layer,
+               BallotReport& report)
+        : request_(request), loop_(loop), round_(round), layer_(layer), report_(report) {}
 
     /// With `paint` the report's maps are of this round.
     void compare_groups(bool paint) {
-        if (paint) report_.measured_map = report_.computed_map = Image<float>(task_.width, task_.height, NAN);
+        if (paint) report_.measured_map = report_.computed_map = Image<float>(request_.width, request_.height, NAN);
         for (const auto& [group, pixels] : groups_of(layer_)) {
             GroupTally measured;
             std::vector<const Phases*> phases;
@@ -139,7 +131,7 @@ class Comparison {
                 if (round_.there[i]) phases.push_back(&round_.phases[i]);
             }
             if (phases.empty()) continue;
-            const GroupTally computed = run_phases(phases, task_.loop);
+            const GroupTally computed = run_phases(phases, loop_);
             add(pixels.front(), measured, computed);
             if (!paint) continue;
             for (const std::size_t i : pixels) {
@@ -152,7 +144,7 @@ class Comparison {
     void compare_rays(CpuTracer& cpu, const TraceConfig& config) {
         std::vector<Hit> hits(round_.rays.size());
         std::vector<RayCounters> counters(round_.rays.size());
-        cpu.trace_rays(config, round_.rays, shadow(task_.rays), hits, counters, task_.threads);
+        cpu.trace_rays(config, round_.rays, shadow(request_.rays), hits, counters, request_.threads);
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (!round_.there[i]) continue;
             ++report_.rays;
@@ -165,13 +157,14 @@ class Comparison {
     }
 
   private:
-    const BallotTask& task_;
+    const WalkRequest& request_;
+    Schedule loop_;
     const Round& round_;
     const BallotLayer& layer_;
     BallotReport& report_;
 
     [[nodiscard]] std::string place(std::size_t i) const {
-        return fmt::format("{}, {}", i % std::size_t(task_.width), i / std::size_t(task_.width));
+        return fmt::format("{}, {}", i % std::size_t(request_.width), i / std::size_t(request_.width));
     }
 
     void add(std::size_t pixel, const GroupTally& measured, const GroupTally& computed) {
@@ -192,19 +185,19 @@ class Comparison {
 
 }  // namespace
 
-BallotReport check_ballots(GlTracer& tracer, const BallotTask& task, std::stop_token stop) {
+BallotReport check_ballots(GlTracer& tracer, const WalkRequest& request, Schedule loop, std::stop_token stop) {
     BallotReport report;
-    const Rounds rounds(task, stop);
-    CpuTracer cpu(task.scene, task.tree);
+    const Rounds rounds(request, stop);
+    CpuTracer cpu(request.scene, request.tree);
     for (const Round& round : rounds.all()) {
         if (stop.stop_requested()) return {};
-        const BallotLayer layer =
-            tracer.measure_ballots(task.config, task.loop, round.rays, shadow(task.rays), task.width, task.height);
+        const BallotLayer layer = tracer.measure_ballots(request.config, loop, round.rays, shadow(request.rays),
+                                                         request.width, request.height);
         report.group_size = layer.group_size;
         find_tile(layer, report);
-        Comparison comparison(task, round, layer, report);
+        Comparison comparison(request, loop, round, layer, report);
         comparison.compare_groups(&round == &rounds.all().front());
-        comparison.compare_rays(cpu, task.config);
+        comparison.compare_rays(cpu, request.config);
         if (!layer.tells_multiprocessors) continue;
         for (const LaneBallots& lane : layer.lanes.pixels) ++report.multiprocessors[lane.multiprocessor];
     }

@@ -8,20 +8,10 @@
 
 #include "renderer/geometry/image.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/measure/walk_recorder.h"
 #include "renderer/trace/lockstep.h"
 
 namespace kd {
-
-struct BallotTask {
-    const FlatScene& scene;
-    const KdTree& tree;
-    TraceConfig config;  // one that has_ballot_loop(); of reflections the first bounce is walked
-    PinholeCamera camera;
-    int width = 0, height = 0;
-    Pass rays = Pass::rt_prim;
-    Schedule loop = Schedule::while_while;  // not lockstep
-    int threads = 0;                        // of the CPU's part; 0 = all
-};
 
 struct BallotReport {
     int group_size = 0;  // lanes of a group, W
@@ -41,7 +31,10 @@ struct BallotReport {
     [[nodiscard]] bool exact() const { return differ == 0 && unlike == 0 && groups > 0; }
 };
 
-/// `tracer` must hold the task's scene and tree (GlTracer::upload). BallotError; nothing in the report where stopped.
-[[nodiscard]] BallotReport check_ballots(GlTracer& tracer, const BallotTask& task, std::stop_token stop = {});
+/// `tracer` must hold the request's scene and tree (GlTracer::upload), whose configuration must be one that
+/// has_ballot_loop(); of reflections the first bounce is walked. `loop` is not lockstep. BallotError; nothing in the
+/// report where stopped.
+[[nodiscard]] BallotReport check_ballots(GlTracer& tracer, const WalkRequest& request, Schedule loop,
+                                         std::stop_token stop = {});
 
 }  // namespace kd

@@ -14,6 +14,7 @@ struct MedianInterval {
     double confidence = 0;  // 1 where the value is exact
     int samples = 0;
 
+    static constexpr int least_samples = 6;  // that an interval of 95 % takes
     /// Enough samples for 95 %.
     [[nodiscard]] bool sure() const { return confidence >= 0.95; }
     [[nodiscard]] bool holds(double value) const { return low <= value && value <= high; }
@@ -22,8 +23,8 @@ struct MedianInterval {
 
 /// The sign test's interval: the k-th least and the k-th largest value, with the largest k for which a fair coin shows
 /// fewer than k heads or fewer than k tails in n throws at most 5 % of the time. Asks nothing of the distribution but
-/// that samples are independent; 6 samples are the least that reach 95 % (then it is all of them: 96.9 %). With fewer
-/// it is all of them, and `confidence` says what that is worth. Values that are not finite are left out.
+/// that samples are independent; `least_samples` are the least that reach 95 % (then it is all of them: 96.9 %). With
+/// fewer it is all of them, and `confidence` says what that is worth. Values that are not finite are left out.
 [[nodiscard]] MedianInterval median_interval(std::vector<double> values);
 
 /// A number that needs no statistics, such as a sum of counters.

@@ -35,6 +35,17 @@ TEST(ConvergenceTest, TwoHalvesEstimateTheErrorOfTheirMean) {
     EXPECT_TRUE(state.curves.empty());
 }
 
+TEST(ConvergenceTest, NamesTellTheRulesThatTheWalkFollows) {
+    Session session;
+    session.trace.rules = Rules::as_published;
+    EXPECT_NE((ConvergenceCurve{session, Sampler::regular, {}}.name().find(", as-published")), std::string::npos);
+    session.trace.traversal = Traversal::ropes;  // has no form as published and walks robustly
+    EXPECT_EQ((ConvergenceCurve{session, Sampler::regular, {}}.name().find("published")), std::string::npos);
+    TriedConfiguration tried;
+    tried.session = session;
+    EXPECT_EQ(tried.name().find("published"), std::string::npos);
+}
+
 TEST(ConvergenceTest, CurvesOfOneSamplerDifferInTimeAlone) {
     for (const Sampler sampler : {Sampler::independent, Sampler::stratified}) {
         ConvergenceState state;

@@ -255,7 +255,8 @@ TEST(Engine, StepsThroughTheLeavesThatWereCounted) {
                     end = step->leaf.leaves;
                 }
                 const Hit& hit = engine.state().pinned->primary().hit;
-                if (hit.triangle >= 0 && rules == Rules::robust) EXPECT_FLOAT_EQ(end, hit.t) << "it ends at its hit";
+                const bool ends = hit.triangle >= 0 && rules == Rules::robust;
+                EXPECT_TRUE(!ends || std::abs(end - hit.t) <= 1e-5f * hit.t) << "it ends at its hit";
                 engine.set_probes(std::nullopt, pixel, visited + 5);
                 EXPECT_EQ(engine.state().step->number, visited - 1) << "no farther than the last";
             }

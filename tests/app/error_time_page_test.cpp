@@ -15,7 +15,6 @@
 namespace kd {
 namespace {
 
-using test::expect_usage_error;
 using test::numbers_in;
 using test::Outcome;
 using test::run_kdscope;
@@ -155,13 +154,6 @@ TEST(ErrorTimeCommand, WhatDoesNotApplyIsLeftOutAndSaid) {
     EXPECT_FALSE(fs::exists(out / "p4-cornell.csv"));
     EXPECT_TRUE(fs::exists(out / "p3-cornell.csv"));
     expect_whole_page(out);
-}
-
-TEST(ErrorTimeCommand, BadOptionsAreToldBeforeAnyWork) {
-    expect_usage_error(run_kdscope({"errortime", "ball:300"}), {"--output"});
-    expect_usage_error(run_kdscope({"errortime", "-o", "x", "--report", "P7", "ball:300"}), {"--report", "'P7'", "P1"});
-    expect_usage_error(run_kdscope({"errortime", "-o", "x", "--seconds", "0", "ball:300"}), {"--seconds"});
-    expect_usage_error(run_kdscope({"errortime", "-o", "/proc/x", "ball:300"}), {"--output", "/proc/x"});
 }
 
 TEST(ErrorTimeCommand, InterruptedLeavesNoPage) {

@@ -28,6 +28,15 @@ TEST(Needs, AreListedWithoutAPicture) {
     EXPECT_EQ(outcome.out.find("rounds in turn"), std::string::npos) << "nothing was timed";
 }
 
+TEST(Needs, ThePictureSaysHowToListThemUnlessItDoes) {
+    const TestFolder folder;
+    const Words common{"render", "cornell", "--size", "8x8", "-o", folder.file("a.png")};
+    Words listed = common;
+    listed.insert(listed.end(), {"--needs", "--rounds", "0"});
+    EXPECT_NE(run_kdscope(common).out.find("; --needs tells why\n"), std::string::npos);
+    EXPECT_EQ(run_kdscope(listed).out.find("--needs tells why"), std::string::npos);
+}
+
 TEST(Needs, AreInTheSummary) {
     const TestFolder folder;
     const test::Outcome outcome = run_kdscope({"render", "cornell", "--needs", "--rounds", "3", "--size", "16x12",

@@ -1,14 +1,10 @@
-// stats, bench, trace, verify, info: tables and JSON.
+// stats, bench, verify, info: tables and JSON.
 
-#include <fmt/format.h>
-#include <fstream>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/cli/text_table.h"
-#include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/traversal.h"
 #include "tests/app/cli_run.h"
@@ -20,15 +16,7 @@ namespace {
 using nlohmann::json;
 using test::expect_usage_error;
 using test::run_kdscope;
-using test::TestFolder;
 using Words = std::vector<std::string>;
-
-Words split(const std::string& line) {
-    Words cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-}
 
 TEST(Stats, AllBuildersSideBySide) {
     const test::Outcome outcome = run_kdscope({"stats", "cornell", "ball:500", "--builders", "--json"});
@@ -94,125 +82,6 @@ TEST(Bench, EarlyZAsPublishedIsTakenAndTold) {
     for (const char* part : {"upload ", "compile ", "RTPrim "})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
     EXPECT_EQ(run_kdscope(common).out.find("as published"), std::string::npos);
-}
-
-class Trace : public testing::Test {
-  protected:
-    TestFolder folder;
-    std::string rays = folder.file("rays.csv");
-
-    void SetUp() override {
-        // The floor of the box, an exact hexadecimal twin of the same ray, the sky, no direction at all.
-        std::ofstream(rays) << "ox,oy,oz,dx,dy,dz,tmin,tmax\n"
-                               "0.25,1,0.5,0,-1,0,0,10\n"
-                               "0x1p-2,0x1p+0,0x1p-1,0,-0x1p+0,0,0,0x1.4p+3\n"
-                               "0,1,50,0,0,1,0,10\n"
-                               "0,1,0,0,0,0,0,10\n";
-    }
-};
-
-TEST_F(Trace, EveryTraversalAgrees) {
-    const test::Outcome outcome = run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-", "--tracer", "cpu"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    std::istringstream lines(outcome.out);
-    std::string line;
-    std::getline(lines, line);
-    const Words header = split(line);
-    ASSERT_EQ(header.size(), 16u) << line;
-    EXPECT_EQ(header[0], "ray");
-    EXPECT_EQ(header[8], "interior_first");
-    EXPECT_EQ(header[15], "exit_reason");
-    std::map<std::string, std::set<Words>> answers;  // by ray
-    std::set<std::string> algorithms;
-    int rows = 0;
-    for (; std::getline(lines, line); ++rows) {
-        const Words cells = split(line);
-        ASSERT_EQ(cells.size(), header.size());
-        algorithms.insert(cells[1]);
-        EXPECT_EQ(cells[2], "cpu");
-        answers[cells[0]].insert({cells[3], cells[4], cells[5], cells[6], cells[7]});
-    }
-    EXPECT_EQ(rows, 4 * int(traversals().size()));
-    EXPECT_EQ(algorithms.size(), traversals().size());
-    for (const auto& [ray, found] : answers) EXPECT_EQ(found.size(), 1u) << ray;
-    EXPECT_EQ((*answers["0"].begin())[0], "1");
-    EXPECT_EQ((*answers["0"].begin())[2], "1");  // t: from height 1 to the floor
-    EXPECT_EQ(answers["0"], answers["1"]);
-    EXPECT_EQ((*answers["2"].begin())[0], "0");
-    EXPECT_EQ((*answers["2"].begin())[1], "-1");
-    EXPECT_EQ((*answers["3"].begin())[0], "0");
-}
-
-TEST_F(Trace, C08DoesNotOverwriteItsRays) {
-    const std::string before = read_file(rays);
-    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", rays}), {"--output", "table of rays"});
-    EXPECT_EQ(read_file(rays), before);
-}
-
-TEST_F(Trace, WritesAFileAndObeysTraversal) {
-    const test::Outcome outcome = run_kdscope(
-        {"trace", "cornell", "--rays", rays, "-o", folder.file("h.csv"), "--tracer", "cpu", "--traversal", "restart"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out,
-              "wrote " + folder.file("h.csv") + " (4 rows)\nchecked: 0 of 4 answers are wrong in double precision\n");
-    const std::string table = read_file(folder.file("h.csv"));
-    EXPECT_EQ(std::ranges::count(table, '\n'), 5);
-    EXPECT_EQ(folder.names(), (Words{"h.csv", "rays.csv"}));
-}
-
-TEST_F(Trace, BadRaysNameTheLine) {
-    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,0,0,0,0,1\n0,0,abc,0,0,1\n";
-    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-"}), {"rays.csv:3", "'abc'"});
-    expect_usage_error(run_kdscope({"trace", "cornell", "--rays", folder.file("none.csv"), "-o", "-"}), {"none.csv"});
-}
-
-/// Onto the floor, which lies in a split plane: where the paper's rule decides, some of these hits are lost.
-std::string rays_onto_the_floor() {
-    std::string table = "ox,oy,oz,dx,dy,dz\n";
-    for (int x = -10; x <= 10; ++x)
-        for (int y = 0; y < 10; ++y) table += fmt::format("0,1,3.95,{},{},-1\n", 0.02 * x, -0.28 - 0.01 * y);
-    return table + "0,1,3.95,0,0,1\n";
-}
-
-TEST_F(Trace, WrongAnswersAreToldExactlyAndCanBeFedBack) {
-    std::ofstream(rays) << rays_onto_the_floor();
-    const auto trace = [&](const std::string& from, const std::string& failures, const std::string& rules) {
-        return run_kdscope({"trace", "cornell", "--rays", from, "-o", folder.file("h.csv"), "--tracer", "cpu",
-                            "--traversal", "stack", "--rules", rules, "--failures", failures});
-    };
-    const test::Outcome wrong = trace(rays, folder.file("wrong.csv"), "as-published");
-    EXPECT_EQ(wrong.code, 1) << wrong.err;
-    EXPECT_NE(wrong.err.find(": stack on cpu: missed; found no hit; in double triangle "), std::string::npos)
-        << wrong.err;
-    EXPECT_EQ(wrong.err.find("ray 210:"), std::string::npos) << "it rightly hits nothing";
-    const std::string table = read_file(folder.file("wrong.csv"));
-    const auto n = std::ranges::count(table, '\n') - 1;
-    ASSERT_GE(n, 2) << table;
-    EXPECT_NE(wrong.err.find(fmt::format("kdscope: {} of 211 answers are wrong in double precision: ", n)),
-              std::string::npos)
-        << wrong.err;
-    std::istringstream lines(table);
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line))
-        EXPECT_NE(wrong.err.find("; the ray is " + line + "\n"), std::string::npos) << line;
-
-    // Fed back, all of them fail again, and by the robust rules none.
-    const test::Outcome again = trace(folder.file("wrong.csv"), folder.file("again.csv"), "as-published");
-    EXPECT_EQ(again.code, 1);
-    EXPECT_NE(again.err.find(fmt::format("{} of {} answers are wrong", n, n)), std::string::npos) << again.err;
-    EXPECT_EQ(read_file(folder.file("again.csv")), table);
-    const test::Outcome robust = trace(folder.file("wrong.csv"), folder.file("none.csv"), "robust");
-    EXPECT_EQ(robust.code, 0) << robust.err;
-    EXPECT_EQ(robust.err, "");
-    EXPECT_EQ(read_file(folder.file("none.csv")), "ox,oy,oz,dx,dy,dz,tmin,tmax\n");
-}
-
-/// A ray that cannot be traced is answered rightly when the walk refuses it.
-TEST_F(Trace, InvalidRaysAreNoFailures) {
-    std::ofstream(rays) << "ox,oy,oz,dx,dy,dz\n0,1,3.95,0,0,0\nnan,1,3.95,0,0,1\n";
-    const test::Outcome outcome = run_kdscope({"trace", "cornell", "--rays", rays, "-o", "-", "--tracer", "cpu"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST(Verify, PassesOnAScene) {
@@ -365,6 +234,23 @@ TEST(Bench, TableKeepsWithinAHundredLetters) {
     EXPECT_LE(widest(outcome.out), 100u) << outcome.out;
     EXPECT_NE(outcome.out.find("\ncpu: "), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("; clock: steady clock\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("too few rounds"), std::string::npos) << outcome.out;
+}
+
+TEST(Bench, TellsEachSceneWhereStandardErrorIsNoTerminal) {
+    const test::Outcome outcome = run_kdscope({"bench", "cornell", "ball:100", "--size", "8x8", "--rounds", "2",
+                                               "--warmup", "1", "--tracer", "cpu", "--traversal", "stack"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "kdscope: timing cornell: 1 traversal on 1 tracer, 3 frames of each\n"
+                           "kdscope: timing ball:100: 1 traversal on 1 tracer, 3 frames of each\n");
+}
+
+TEST(Bench, SaysHowManyRoundsAnIntervalTakes) {
+    const test::Outcome outcome =
+        run_kdscope({"bench", "cornell", "--size", "8x8", "--rounds", "5", "--warmup", "0", "--tracer", "cpu"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\ntoo few rounds: the 95 % interval of a ratio takes 6.\n"), std::string::npos)
+        << outcome.out;
 }
 
 }  // namespace

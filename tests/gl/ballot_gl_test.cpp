@@ -36,8 +36,8 @@ class BallotGl : public ContextTest {
         tracer->upload(scene, tree);
     }
     BallotReport check(const TraceConfig& config, Schedule loop, Pass rays, int width, int height) {
-        return check_ballots(*tracer,
-                             {scene, tree, config, pinhole(scene.camera, width, height), width, height, rays, loop});
+        return check_ballots(*tracer, {scene, tree, config, pinhole(scene.camera, width, height), width, height, rays},
+                             loop);
     }
     void expect_exact(const TraceConfig& config, Pass rays, int width, int height) {
         for (const Schedule loop : loops) {

@@ -25,18 +25,19 @@ struct Case {
     LeafLists lists;
 };
 
-/// Everything on OSMesa; EGL, the same driver where there is no GPU, without the copied lists.
+constexpr ContextKind contexts[] = {ContextKind::osmesa, ContextKind::egl};
+
+/// The same for every kind of context.
 std::vector<Case> all_cases() {
     std::vector<Case> cases;
-    for (const TraversalInfo& traversal : traversals()) {
-        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::references});
-        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::duplicated});
-        cases.push_back({ContextKind::egl, traversal.id, LeafLists::references});
-    }
+    for (const ContextKind context : contexts)
+        for (const TraversalInfo& traversal : traversals())
+            for (const LeafLists lists : {LeafLists::references, LeafLists::duplicated})
+                cases.push_back({context, traversal.id, lists});
     return cases;
 }
 
-/// Compiling takes most of a test's time, so that what no traversal should matter to is tried with two.
+/// Compiling takes most of a test's time, so that what no traversal should matter to is tried with two, one a context.
 std::vector<Case> two_cases() {
     return {{ContextKind::osmesa, Traversal::stack, LeafLists::references},
             {ContextKind::egl, Traversal::backtrack, LeafLists::duplicated}};
@@ -44,8 +45,9 @@ std::vector<Case> two_cases() {
 
 std::vector<Case> each_traversal() {
     std::vector<Case> cases;
-    for (const TraversalInfo& traversal : traversals())
-        cases.push_back({ContextKind::osmesa, traversal.id, LeafLists::references});
+    for (const ContextKind context : contexts)
+        for (const TraversalInfo& traversal : traversals())
+            cases.push_back({context, traversal.id, LeafLists::references});
     return cases;
 }
 

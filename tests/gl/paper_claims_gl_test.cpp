@@ -170,5 +170,13 @@ TEST(NodeSizes, SmallNodesHoldTheSameTreeAndGiveTheSameHits) {
     EXPECT_EQ(compare_nodes(scene, tree, pinhole(scene.camera, 16, 16), 16, 16, 6, {}).wide.rounds.size(), 6u);
 }
 
+TEST(NodeSizes, HitsThatDifferAreNoMatterOfTheScene) {
+    const FlatScene scene = flatten(*make_procedural("ball:500"));
+    KdTree tree = build_tree(scene.triangles, {.leaf_size = 1000});
+    ASSERT_EQ(tree.nodes.size(), 1u);
+    tree.nodes[0].count -= 1 << 30;  // beyond the 30 bits that small nodes have: they alone see the triangles
+    EXPECT_THROW((void)compare_nodes(scene, tree, pinhole(scene.camera, 16, 16), 16, 16, 6, {}), std::logic_error);
+}
+
 }  // namespace
 }  // namespace kd

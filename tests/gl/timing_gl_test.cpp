@@ -78,6 +78,7 @@ TEST(MedianInterval, IsTheSignTestsWithItsConfidence) {
     EXPECT_EQ(six.high, 6);
     EXPECT_NEAR(six.confidence, 0.96875, 1e-9);
     EXPECT_TRUE(six.sure());
+    EXPECT_EQ(six.samples, MedianInterval::least_samples);
     const MedianInterval five = median_interval({1, 2, 3, 4, 5});
     EXPECT_FALSE(five.sure());
     EXPECT_EQ(five.high, 5);

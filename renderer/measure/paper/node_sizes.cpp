@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/pixel_rays.h"
@@ -126,7 +127,7 @@ PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const P
     std::vector<TimedRounds> timed = time_in_turn(contestants, {.warmup = 1, .rounds = rounds});
     const bool same = std::ranges::equal(wide, narrow, [](const Hit& a, const Hit& b) { return bit_equal(a, b); });
     if (!same && !stop.stop_requested())
-        throw InputError("nodes of 8 bytes: a hit differs from that with nodes of 16 bytes; report this as a fault");
+        throw std::logic_error("nodes of 8 bytes: a hit differs from that with nodes of 16 bytes");
     return {"", tree.nodes.size(), std::move(timed[0]), std::move(timed[1])};
 }
 

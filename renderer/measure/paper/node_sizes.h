@@ -30,7 +30,8 @@ void trace_wide(const FlatScene& scene, const KdTree& tree, std::span<const Ray>
 void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const NarrowNode> nodes,
                   std::span<const Ray> rays, std::span<Hit> hits);
 
-/// Times both in turn on the primary rays of a picture; InputError where their hits differ in a bit, which cannot be.
+/// Times both in turn on the primary rays of a picture. std::logic_error where their hits differ in a bit: a fault of
+/// the program, whatever the scene.
 [[nodiscard]] PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera,
                                            int width, int height, int rounds, const std::stop_token& stop);
 

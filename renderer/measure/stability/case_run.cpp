@@ -96,14 +96,14 @@ void CaseRun::each(const Subject& subject,
     }
 }
 
-void CaseRun::each_answer(const Subject& subject, const std::vector<Ray>& rays,
-                          const std::function<void(const std::vector<Hit>&, StabilityRow&)>& use) {
+void CaseRun::each_answer(const Subject& subject, const std::vector<Ray>& rays, const JudgeAnswer& judge,
+                          Counted counted) {
     each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& r) {
         std::vector<Hit> hits(rays.size());
         (void)machine.trace(trace, rays, false, hits, {}, stop_);
         check_stop();
-        r.n += std::int64_t(rays.size());
-        use(hits, r);
+        if (counted == Counted::here) r.n += std::int64_t(rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) judge(i, hits[i], r);
     });
 }
 

@@ -72,9 +72,12 @@ class CaseRun {
     /// does not cover.
     void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use);
 
-    /// The same with the nearest hits of these rays, which are counted in the row.
-    void each_answer(const Subject& subject, const std::vector<Ray>& rays,
-                     const std::function<void(const std::vector<Hit>&, StabilityRow&)>& use);
+    /// Judges the nearest hit of one of the rays, by its place among them; fail() tells the row what is wrong.
+    using JudgeAnswer = std::function<void(std::size_t ray, const Hit& hit, StabilityRow& row)>;
+    enum class Counted { here, by_check };
+    /// The same with the nearest hit of each of these rays, which are counted in the row unless check() has.
+    void each_answer(const Subject& subject, const std::vector<Ray>& rays, const JudgeAnswer& judge,
+                     Counted counted = Counted::here);
 
     /// A row of its own, for what no traversal takes part in: `mismatches` of `n`, and why.
     void record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason = {});

@@ -35,13 +35,11 @@ std::vector<Ray> straight_rays(Random& random, const std::vector<Triangle>& shee
 /// The same, with what they meet at z = `height` exactly.
 void check_straight(CaseRun& run, const Subject& subject, std::size_t count, float height, float tolerance) {
     const std::vector<Ray> rays = straight_rays(run.random(), subject.scene.triangles, count, height);
-    run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const float lost = std::abs(hits[i].t - std::abs(rays[i].origin.z - height));
-            if (hits[i].triangle < 0 || !(lost <= tolerance))
-                CaseRun::fail(
-                    row, fmt::format("t off by {}: ray {}: found {}", lost, exact_text(rays[i]), exact_text(hits[i])));
-        }
+    run.each_answer(subject, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+        const float lost = std::abs(hit.t - std::abs(rays[i].origin.z - height));
+        if (hit.triangle < 0 || !(lost <= tolerance))
+            CaseRun::fail(row,
+                          fmt::format("t off by {}: ray {}: found {}", lost, exact_text(rays[i]), exact_text(hit)));
     });
 }
 
@@ -133,11 +131,10 @@ void run_coincident(CaseRun& run) {
         rays.push_back(ray_to(origin(), to));
     }
     const std::vector<Hit> expected = run.loop_hits(sheets.scene, rays);
-    run.each_answer(sheets, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            if (!bit_equal(hits[i], expected[i]) || hits[i].triangle >= int(first))
-                CaseRun::fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(rays[i]),
-                                               exact_text(expected[i]), exact_text(hits[i])));
+    run.each_answer(sheets, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+        if (!bit_equal(hit, expected[i]) || hit.triangle >= int(first))
+            CaseRun::fail(row, fmt::format("ray {}: expected {}; found {}", exact_text(rays[i]),
+                                           exact_text(expected[i]), exact_text(hit)));
     });
 }
 

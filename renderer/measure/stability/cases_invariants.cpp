@@ -45,21 +45,17 @@ struct Original {
 /// same triangle unless the ray meets both at that t.
 void compare_renamed(CaseRun& run, const Original& original, const Subject& renamed, const std::vector<Ray>& rays,
                      const Order& old_number, double most_ulps, const std::string& what) {
-    run.each_answer(renamed, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Hit& hit = hits[i];
-            const Hit& before = original.hits[i];
-            const int now = hit.triangle < 0 ? -1 : old_number[std::size_t(hit.triangle)];
-            const bool hits_alike = (now >= 0) == (before.triangle >= 0);
-            const double ulps = hits_alike ? ulps_between(hit.t, double(before.t)) : 0;
-            row.worst_ulp = std::max(row.worst_ulp, ulps);
-            const bool same_t = most_ulps == 0 ? same_bits(hit.t, before.t) : ulps <= most_ulps;
-            const bool same_triangle =
-                !hits_alike || now == before.triangle || original.meets_at_its_t(i, now, most_ulps);
-            if (!hits_alike || !same_t || !same_triangle)
-                CaseRun::fail(row, fmt::format("{}: ray {}: before {}; now triangle {}, {}", what, exact_text(rays[i]),
-                                               exact_text(before), now, exact_text(hit)));
-        }
+    run.each_answer(renamed, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+        const Hit& before = original.hits[i];
+        const int now = hit.triangle < 0 ? -1 : old_number[std::size_t(hit.triangle)];
+        const bool hits_alike = (now >= 0) == (before.triangle >= 0);
+        const double ulps = hits_alike ? ulps_between(hit.t, double(before.t)) : 0;
+        row.worst_ulp = std::max(row.worst_ulp, ulps);
+        const bool same_t = most_ulps == 0 ? same_bits(hit.t, before.t) : ulps <= most_ulps;
+        const bool same_triangle = !hits_alike || now == before.triangle || original.meets_at_its_t(i, now, most_ulps);
+        if (!hits_alike || !same_t || !same_triangle)
+            CaseRun::fail(row, fmt::format("{}: ray {}: before {}; now triangle {}, {}", what, exact_text(rays[i]),
+                                           exact_text(before), now, exact_text(hit)));
     });
 }
 

@@ -78,16 +78,14 @@ double first_face(const Ray& ray) {
 }
 
 void check_first_faces(CaseRun& run, const Subject& city, const std::vector<Ray>& rays) {
-    run.each_answer(city, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const double exact = first_face(rays[i]);
-            const bool hit = hits[i].triangle >= 0;
-            const double ulps = hit && exact >= 0 ? ulps_between(hits[i].t, exact) : 0;
-            row.worst_ulp = std::max(row.worst_ulp, ulps);
-            if (hit != (exact >= 0) || ulps > 4)
-                CaseRun::fail(
-                    row, fmt::format("exactly {}, found {}: ray {}", exact, exact_text(hits[i]), exact_text(rays[i])));
-        }
+    run.each_answer(city, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+        const double exact = first_face(rays[i]);
+        const bool found = hit.triangle >= 0;
+        const double ulps = found && exact >= 0 ? ulps_between(hit.t, exact) : 0;
+        row.worst_ulp = std::max(row.worst_ulp, ulps);
+        if (found != (exact >= 0) || ulps > 4)
+            CaseRun::fail(row,
+                          fmt::format("exactly {}, found {}: ray {}", exact, exact_text(hit), exact_text(rays[i])));
     });
 }
 

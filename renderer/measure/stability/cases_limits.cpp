@@ -59,11 +59,10 @@ void run_echo(CaseRun& run, std::size_t count) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i)
         rays.push_back({Vec3(5, 0, 0), Vec3(1, 0, 0), 0, float(i % float_index_limit + 1), int(i)});
-    run.each_answer(subject, rays, [&](const std::vector<Hit>& hits, StabilityRow& row) {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            if (hits[i].triangle != -1 || hits[i].t != rays[i].t_max)
-                CaseRun::fail(row, fmt::format("ray {} of {} got the answer of another: {}", i, rays.size(),
-                                               exact_text(hits[i])));
+    run.each_answer(subject, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+        if (hit.triangle != -1 || hit.t != rays[i].t_max)
+            CaseRun::fail(row,
+                          fmt::format("ray {} of {} got the answer of another: {}", i, rays.size(), exact_text(hit)));
     });
 }
 

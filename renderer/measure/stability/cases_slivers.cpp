@@ -85,18 +85,14 @@ void run_slivers(CaseRun& run) {
         e.what = fmt::format("width {}: ", width);
         run.check(subject, rays, e);
         const std::vector<f64::Hit> exact = run.exact_hits(subject.scene, rays);
-        std::int64_t most_missed = 0;
-        run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-            std::vector<Hit> hits(rays.size());
-            (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-            run.check_stop();
-            std::int64_t missed = 0;
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                missed += judge_sliver(subject.scene, rays[i], hits[i], exact[i], row);
-            most_missed = std::max(most_missed, missed);
-        });
-        const auto meant = std::ranges::count_if(exact, [](const f64::Hit& hit) { return hit.triangle >= 0; });
-        told += fmt::format(" {:g}: {} of {};", width, most_missed, meant);
+        std::vector<char> missed(rays.size());  // by any walk
+        const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+            missed[i] |= judge_sliver(subject.scene, rays[i], hit, exact[i], row);
+        };
+        run.each_answer(subject, rays, judge, CaseRun::Counted::by_check);
+        const auto meant =
+            std::count_if(exact.begin(), exact.end(), [](const f64::Hit& hit) { return hit.triangle >= 0; });
+        told += fmt::format(" {:g}: {} of {};", width, std::count(missed.begin(), missed.end(), 1), meant);
         rays_in_all += std::int64_t(rays.size());
     }
     run.record("missed", rays_in_all, 0, told);
@@ -142,24 +138,20 @@ void run_grazing(CaseRun& run) {
         run.check(plane, rays, e);
         const std::vector<f64::Hit> exact = run.exact_hits(plane.scene, rays);
         double worst = 0;
-        run.each(plane, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-            std::vector<Hit> hits(rays.size());
-            (void)machine.trace(trace, rays, false, hits, {}, run.stop());
-            run.check_stop();
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                const bool hit = hits[i].triangle >= 0, meant = exact[i].triangle >= 0;
-                // From where a rounding moves the hit by as much as the plane is wide, either may miss it.
-                if (hit != meant && grazing_bound(double(angle)) < 1)
-                    CaseRun::fail(
-                        row, fmt::format("{}{}: ray {}", e.what, hit ? "false hit" : "missed", exact_text(rays[i])));
-                if (!hit || !meant) continue;
-                const double error = std::abs(double(hits[i].t) - exact[i].t) / grazing_bound(double(angle));
-                worst = std::max(worst, error);
-                if (!(error <= 1))
-                    CaseRun::fail(row, fmt::format("{}t errs by {:.3g} of the bound: ray {}: found {}", e.what, error,
-                                                   exact_text(rays[i]), exact_text(hits[i])));
-            }
-        });
+        const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+            const bool found = hit.triangle >= 0, meant = exact[i].triangle >= 0;
+            // From where a rounding moves the hit by as much as the plane is wide, either may miss it.
+            if (found != meant && grazing_bound(double(angle)) < 1)
+                CaseRun::fail(row,
+                              fmt::format("{}{}: ray {}", e.what, found ? "false hit" : "missed", exact_text(rays[i])));
+            if (!found || !meant) return;
+            const double error = std::abs(double(hit.t) - exact[i].t) / grazing_bound(double(angle));
+            worst = std::max(worst, error);
+            if (!(error <= 1))
+                CaseRun::fail(row, fmt::format("{}t errs by {:.3g} of the bound: ray {}: found {}", e.what, error,
+                                               exact_text(rays[i]), exact_text(hit)));
+        };
+        run.each_answer(plane, rays, judge, CaseRun::Counted::by_check);
         told += fmt::format(" 1e-{}: {:.2g};", power, worst);
     }
     run.record("bound", 8, 0, told);
