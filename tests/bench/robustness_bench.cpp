@@ -5,6 +5,7 @@
 //
 // Exit code 1 where it costs more than is said below.
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -41,8 +42,9 @@ double most_time(const std::string& scene) {
 /// False, and told, where a bound is broken.
 bool within(const char* what, double share, double most) {
     const bool kept = share <= most;
-    std::printf("%s: %.3f of those as published; %s the %.2f that is allowed\n", what, share,
-                kept ? "within" : "BEYOND", most);
+    if (std::isfinite(most))
+        std::printf("%s: %.3f of those as published; %s the %.2f that is allowed\n", what, share,
+                    kept ? "within" : "BEYOND", most);
     return kept;
 }
 
