@@ -63,7 +63,7 @@ Json json_of(const StabilityReport& report) {
                          {"n", row.n},
                          {"mismatches", row.mismatches},
                          {"upper95", row.upper95},
-                         {"worst_ulp", row.worst_ulp},
+                         {"worst_ulp", or_null(row.worst_ulp)},
                          {"seconds", row.seconds},
                          {"verdict", name_of(row.verdict)},
                          {"reason", row.reason}});
@@ -89,7 +89,7 @@ void print(std::ostream& out, const StabilityReport& report) {
     for (const StabilityRow& row : report.rows)
         table.add_row({row.id, row.tracer, row.context, row.traversal, fmt::format("{}", row.n),
                        fmt::format("{}", row.mismatches), fmt::format("{:.1e}", row.upper95),
-                       row.worst_ulp > 0 ? fmt::format("{:.2f}", row.worst_ulp) : "-",
+                       row.worst_ulp >= 0 ? fmt::format("{:.2f}", row.worst_ulp) : "-",
                        fmt::format("{:.2f}", row.seconds), name_of(row.verdict)});
     table.print(out);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';

@@ -127,8 +127,7 @@ void Engine::start_build() {
 void Engine::finish_build(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
-    if (state_.world->report.reference_cap_hit)
-        say(false, "tree: the limit of references per triangle was reached; some splits were not made");
+    if (state_.world->report.reference_cap_hit) say(false, fmt::format("tree: {}", reference_cap_note));
     trace_generation_ = ++state_.generation;
     start_trace();
 }

@@ -45,7 +45,7 @@ void draw_verdict_row(const StabilityRow& row, int index, StabilityView& view) {
     if (!row.reason.empty()) widgets::hint(row.reason);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.traversal.c_str());
-    const std::string ulp = row.worst_ulp > 0 ? number_text(row.worst_ulp) : "–";
+    const std::string ulp = row.worst_ulp >= 0 ? number_text(row.worst_ulp) : "–";
     for (const std::string& text : {number_text(double(row.n)), number_text(double(row.mismatches)),
                                     fmt::format("{:.2g} %", 100 * row.upper95), ulp}) {
         ImGui::TableNextColumn();

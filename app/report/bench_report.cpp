@@ -15,8 +15,6 @@ namespace {
 /// Four digits or so, whatever the size.
 std::string ms_text(double ms) { return fmt::format("{:.{}f}", ms, ms >= 1000 ? 0 : ms >= 100 ? 1 : 2); }
 
-Json ms_or_null(double ms) { return ms < 0 ? Json(nullptr) : Json(ms); }
-
 Json passes_json(const TimedRounds& timed) {
     Json passes = Json::object();
     for (std::size_t p = 0; p < pass_count; ++p)
@@ -115,8 +113,8 @@ Json bench_json(const BenchScene& bench, const BenchRow& row) {
             {"clock_discrepancy", row.timed.clock_discrepancy()},
             {"renderer", row.renderer},
             {"build_ms", 1e3 * bench.build.seconds},
-            {"upload_ms", ms_or_null(row.setup.upload_ms)},
-            {"compile_ms", ms_or_null(row.setup.compile_ms)},
+            {"upload_ms", or_null(row.setup.upload_ms)},
+            {"compile_ms", or_null(row.setup.compile_ms)},
             {"counters", counters},
             {"measured_on", json_of(bench.on)}};
 }

@@ -22,6 +22,9 @@ using Json = nlohmann::ordered_json;
 /// The shortest decimal that gives `value` back, as a JSON number; null where it is not finite.
 [[nodiscard]] Json json_number(float value);
 
+/// null where it is negative, which says that nothing was measured.
+[[nodiscard]] inline Json or_null(double value) { return value < 0 ? Json(nullptr) : Json(value); }
+
 /// Everything in the session but the view.
 [[nodiscard]] Json json_of(const Session& session);
 [[nodiscard]] Json json_of(const Camera& camera);

@@ -45,8 +45,6 @@ void print_table(std::ostream& out, const SweepReport& report,
 /// A negative one says that nothing was hit.
 std::optional<double> known(double value) { return value < 0 ? std::nullopt : std::optional(value); }
 
-Json or_null(double value) { return value < 0 ? Json(nullptr) : Json(value); }
-
 }  // namespace
 
 std::string parameter_text(const std::string& parameter, const std::string& unit) {

@@ -55,6 +55,10 @@ struct BuildReport {
     bool depth_limit_hit = false;
 };
 
+/// How whoever has a tree built says that the cap was reached.
+inline constexpr std::string_view reference_cap_note =
+    "the limit of references per triangle was reached; some splits were not made";
+
 /// Called now and then with the fraction done, 0..1, from the building thread.
 using BuildProgress = std::function<void(float)>;
 

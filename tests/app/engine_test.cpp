@@ -77,6 +77,19 @@ TEST(Engine, ARefusedConstantOfTheTreeIsTakenBack) {
     EXPECT_EQ(engine.state().session.build, BuildConfig{});
 }
 
+TEST(Engine, ATreeThatStoppedAtItsCapOfReferencesIsTold) {
+    Engine engine(small_session(), quiet());
+    ASSERT_TRUE(settle(engine));
+    EXPECT_TRUE(engine.state().messages.empty());
+    Session session = small_session();
+    session.build.reference_cap = 1;
+    engine.set_session(session);
+    ASSERT_TRUE(settle(engine));
+    ASSERT_EQ(engine.state().messages.size(), 1u);
+    EXPECT_EQ(engine.state().messages[0].text, "tree: " + std::string(reference_cap_note));
+    EXPECT_FALSE(engine.state().messages[0].error) << "the tree is sound";
+}
+
 TEST(Engine, AnUnknownMapIsTakenBack) {
     Engine engine(small_session(), quiet());
     ASSERT_TRUE(settle(engine));

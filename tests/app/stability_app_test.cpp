@@ -1,4 +1,7 @@
-// The sweeps of the stability suite on the command line, and its scenes by name.
+// The stability suite on the command line: what was measured, its sweeps, and its scenes by name.
+
+#include <fmt/format.h>
+#include <iterator>
 
 #include "app/report/json_values.h"
 #include "app/session.h"
@@ -14,6 +17,29 @@ namespace {
 
 using test::expect_usage_error;
 using test::run_kdscope;
+
+/// Of the only row of a case: what the table and the JSON say.
+std::pair<std::string, Json> worst_ulp_of(const std::string& id) {
+    std::vector<std::string> arguments{"stability", "--case", id, "--tracer", "cpu", "--traversal", "stack"};
+    std::istringstream table(run_kdscope(arguments).out);
+    std::string cell;
+    for (std::string line; std::getline(table, line);) {
+        std::istringstream row(line);
+        const std::vector<std::string> cells{std::istream_iterator<std::string>(row), {}};
+        if (cells.size() == 10 && cells[0] == id) cell = cells[7];
+    }
+    arguments.emplace_back("--json");
+    return {cell, Json::parse(run_kdscope(arguments).out)["cases"][0]["worst_ulp"]};
+}
+
+TEST(Stability, TheWorstErrorOfTIsToldOnlyWhereItWasMeasured) {
+    const auto [no_cell, no_number] = worst_ulp_of("T36");
+    EXPECT_EQ(no_cell, "-");
+    EXPECT_TRUE(no_number.is_null()) << no_number;
+    const auto [cell, number] = worst_ulp_of("T02");
+    ASSERT_TRUE(number.is_number()) << number;
+    EXPECT_EQ(cell, fmt::format("{:.2f}", number.get<double>()));
+}
 
 TEST(StressScenes, AreScenesWhereverOneIsTaken) {
     EXPECT_TRUE(names_scene("stress:T16"));

@@ -4,11 +4,12 @@
 set -euo pipefail
 
 fail() { echo "FAIL: $*" && exit 1; }
+source "$KD_SOURCE_DIR/tests/support/stability_rows.bash"
 
 narrowed=()
 [[ -z ${KD_PATIENCE:-} ]] || narrowed=(--tracer cpu --traversal ropes)
 "$KDSCOPE" stability "${narrowed[@]}" --json >suite.json 2>errors.txt || fail "a case failed: $(grep -o '"reason": "[^"]*"' suite.json | head -3)"
-cases=$(grep -o '"case": "T[0-9]*"' suite.json | sort -u | wc -l)
+cases=$(cases_in suite.json)
 ((cases >= 55)) || fail "only $cases cases ran"
 # A tenth of a million rays in every row, but for cases whose number is their own (docs/stability.md says which).
 few=$(awk -F'"' '/"case":/ { id = $4 } /"tracer":/ { tracer = $4 }
@@ -20,15 +21,15 @@ known="T02 T05 T09 T10 T11 T12 T13 T24 T36 T40 T41 T42 T44 T50 T51 T58 T61 "
 if [[ ${#narrowed[@]} -eq 0 ]]; then
     for context in osmesa egl; do
         grep -q "gl-fragment on $context not checked" suite.json && continue
-        rows=$(grep -c "\"context\": \"$context\"" suite.json || true)
+        rows=$(rows_of context "$context" suite.json)
         ((rows >= 150)) || fail "only $rows rows on $context"
     done
-    exempt=$(awk -F'"' '/"case":/ { id = $4 } /"verdict": "exempt"/ { print id }' suite.json | sort -u | tr '\n' ' ')
+    exempt=$(cases_with_verdict exempt suite.json)
     [[ -z "$exempt" || "$exempt" == "T04 T24 T28 " ]] || fail "exempt: $exempt"
 fi
 if "$KDSCOPE" stability --tracer cpu --rules as-published --case T10,T11,T12,T15,T16,T32 --json >published.json 2>>errors.txt; then
     fail "the published rules pass"
 fi
-failing=$(grep -c '"verdict": "fail"' published.json)
+failing=$(rows_of verdict fail published.json)
 ((failing == 18)) || fail "$failing of 18 rows fail under the published rules"
 echo "passed"

@@ -13,8 +13,13 @@ using test::ContextTest;
 using test::whole;
 
 /// Highlights use pow, which rounds differently on every machine (up to 51 ulp on llvmpipe); all else in a colour is
-/// exact. 51 ulp of a highlight of at most 3 are 1.9e-5; what is seen is a tenth of it.
+/// exact. 51 ulp of a highlight of at most 3 are 1.9e-5; what is seen is a tenth of it, 2.3e-6.
 constexpr float colour_tolerance = 2e-5f;
+
+/// A GPU may take log2 2^-21 off (GLSL 4.60, section 4.7.1), and some ten ulp of quotients and roots into the base of
+/// the power. With the exponent 80 that is 2.6e-5 and 4.8e-5 of a highlight of at most 3: 2.2e-4, and twice that is
+/// allowed.
+constexpr float gpu_colour_tolerance = 5e-4f;
 
 constexpr int width = 96;
 constexpr int height = 64;
@@ -62,6 +67,7 @@ std::string case_name(const testing::TestParamInfo<Case>& test) {
 struct Difference {
     std::array<int, pass_count> hits{}, triangles{}, counters{};  // pixels
     int colours = 0;                                              // pixels beyond the tolerance, or NaN
+    float largest = 0;                                            // of a colour
 };
 
 Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
@@ -75,6 +81,7 @@ Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
             difference.counters[pass] += !(a.layers[pass].counters.pixels[i] == b.layers[pass].counters.pixels[i]);
         }
         const Vec4 d = glm::abs(a.colour.pixels[i] - b.colour.pixels[i]);
+        difference.largest = std::max({difference.largest, d.x, d.y, d.z, d.w});
         difference.colours += !(d.x <= tolerance && d.y <= tolerance && d.z <= tolerance && d.w <= tolerance);
     }
     return difference;
@@ -86,13 +93,13 @@ Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
 void expect_equal(const Frame& cpu, const Frame& gl, bool software) {
     ASSERT_EQ(cpu.width, gl.width);
     ASSERT_EQ(cpu.height, gl.height);
-    const Difference d = compare_frames(cpu, gl, software ? colour_tolerance : 1e-3f);
+    const Difference d = compare_frames(cpu, gl, software ? colour_tolerance : gpu_colour_tolerance);
     for (std::size_t pass = 0; pass < pass_count; ++pass) {
         EXPECT_EQ(d.hits[pass], 0) << "hits of " << pass_names[pass];
         EXPECT_EQ(d.triangles[pass], 0) << "triangles of " << pass_names[pass];
         EXPECT_EQ(d.counters[pass], 0) << "counters of " << pass_names[pass];
     }
-    EXPECT_EQ(d.colours, 0);
+    EXPECT_EQ(d.colours, 0) << "by up to " << d.largest;
 }
 
 /// Interior nodes that the CPU's primary rays visit.

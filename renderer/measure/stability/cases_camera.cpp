@@ -120,8 +120,9 @@ void run_lights(CaseRun& run) {
                     const Frame frame = machine.frame(trace, pinhole(scene.camera, size, size), size, size, run.stop());
                     run.check_stop();
                     row.n += std::int64_t(size) * size;
+                    const auto sound = [](float channel) { return std::isfinite(channel) && channel >= 0; };
                     for (const Vec4& c : frame.colour.pixels)
-                        if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0))
+                        if (!(sound(c.x) && sound(c.y) && sound(c.z)))
                             CaseRun::fail(
                                 row, fmt::format("a colour of {},{},{} with exponent {}", c.x, c.y, c.z, shininess));
                 });

@@ -86,6 +86,7 @@ void run_renamed(CaseRun& run) {
         return run.subject(renamed);
     };
     compare_renamed(run, original, flipped(0, 1), rays, order, 0, "first two corners exchanged");
+    // Twice the worst of three million rays, 4 ulp.
     compare_renamed(run, original, flipped(1, 2), rays, order, 8, "last two corners exchanged");
 
     renamed = triangles;

@@ -1,0 +1,65 @@
+// The whole numbers of the tree's float texels come back from a shader as they went in, up to the limit that the
+// upload holds them to.
+
+#include "renderer/kdtree/encode.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/faulty_shaders.h"
+
+namespace kd {
+namespace {
+
+using test::context_name;
+using test::ContextTest;
+
+using NodeTexelsGl = ContextTest;
+KD_FOR_ALL_CONTEXTS(NodeTexelsGl);
+
+/// A ray whose source is -2 - n is not traced but answered with what the shader reads of node n.
+std::filesystem::path shaders_that_tell_nodes() {
+    return test::shaders_with("fragment/rays.frag", "traverse(ray, frame.rays.x != 0, hit);", R"(
+        if (ray.source > -2) {
+            traverse(ray, frame.rays.x != 0, hit);
+        } else {
+            KdNode n = fetch_node(-2 - ray.source);
+            hit = Hit(n.link, n.flag == KD_LEAF ? float(n.count) : n.split, float(n.flag), float(n.parent));
+        })");
+}
+
+TEST_P(NodeTexelsGl, LinksAndCountsUpToTheLimitComeBackExactly) {
+    const test::Variable shaders("KD_SHADER_DIR", shaders_that_tell_nodes().string());
+    const FlatScene scene = test::scene_of(test::random_soup(1, 0.2f, 1));
+    KdTree tree = build_tree(scene.triangles, {});
+    ASSERT_EQ(tree.nodes.size(), 1u);
+    const auto limit = std::int32_t(float_index_limit);
+    // Behind the root, which is a leaf, no ray comes to these.
+    for (const std::int32_t number : {0, 1, 65'535, 65'537, limit / 2 + 1, limit - 1, limit})
+        for (const std::int32_t flag : {1, KD_LEAF}) {
+            TreeNode node;
+            node.flag = flag;
+            node.link = number;
+            node.parent = 0;
+            if (node.is_leaf())
+                node.count = limit - number;
+            else
+                node.split = 0.1f;
+            tree.nodes.push_back(node);
+        }
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+        rays.push_back({Vec3(5, 0, 0), Vec3(1, 0, 0), 0, 1, -2 - int(i)});
+    std::vector<Hit> told(rays.size());
+    GlTracer tracer(*context);
+    tracer.upload(scene, tree);
+    tracer.trace_rays({}, rays, false, told, {});
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const TreeNode& node = tree.nodes[i];
+        EXPECT_EQ(told[i].triangle, node.link);
+        EXPECT_EQ(told[i].t, node.is_leaf() ? float(node.count) : node.split) << node.link;
+        EXPECT_EQ(told[i].u, float(node.flag)) << node.link;
+        EXPECT_EQ(told[i].v, float(node.parent)) << node.link;
+    }
+}
+
+}  // namespace
+}  // namespace kd

@@ -1,0 +1,17 @@
+# What the scripts ask of a file that `kdscope stability --json` wrote. Sourced.
+
+cases_in() { grep -o '"case": "T[0-9]*"' "$1" | sort -u | wc -l; }
+
+# rows_of KEY VALUE FILE
+rows_of() { grep -c "\"$1\": \"$2\"" "$3" || true; }
+
+# Cases with a row of this verdict, each followed by a space.
+cases_with_verdict() {
+    awk -F'"' -v verdict="$1" '/"case":/ { id = $4 } /"verdict":/ && $4 == verdict { print id }' "$2" |
+        sort -u | tr '\n' ' '
+}
+
+# Cases with a row of mismatches, each followed by a space.
+cases_with_mismatches() {
+    awk -F'"' '/"case":/ { id = $4 } /"mismatches": [1-9]/ { print id }' "$1" | sort -u | tr '\n' ' '
+}
