@@ -170,10 +170,13 @@ TEST(JudgeRay, ThereIsNoDoubtWhereBruteForceHasNone) {
     const FlatScene scene = square();
     const Ray through_edge{Vec3(0, 0.25f, 1), Vec3(0, 0, -1), 0, KD_T_LIMIT, -1};
     EXPECT_EQ(judged(scene, through_edge, no_hit_found, KD_EXIT_MISS).verdict, HitVerdict::missed) << "a hole";
-    Hit other = brute_force(scene, std::span(&through_edge, 1))[0];
-    EXPECT_EQ(judged(scene, through_edge, other, KD_EXIT_HIT).verdict, HitVerdict::agrees);
-    other.triangle = 1 - other.triangle;
+    const Hit first = brute_force(scene, std::span(&through_edge, 1))[0];
+    EXPECT_EQ(judged(scene, through_edge, first, KD_EXIT_HIT).verdict, HitVerdict::agrees);
+    Hit other = hit_of_triangle(scene, 1 - first.triangle, through_edge);
     EXPECT_EQ(judged(scene, through_edge, other, KD_EXIT_HIT).verdict, HitVerdict::tie) << "both lie there";
+    other.u = first.u + 0.125f;
+    EXPECT_EQ(judged(scene, through_edge, other, KD_EXIT_HIT).verdict, HitVerdict::wrong_triangle)
+        << "the ray meets it elsewhere";
 }
 
 TEST(JudgeRay, NearItsOriginThePointCountsAndNotTheDigitsOfT) {
