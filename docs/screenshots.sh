@@ -184,7 +184,7 @@ panels_of_tree() {
     sleep 0.5
     xdotool click 1
     sleep 0.5
-    press_all Right Right
+    press_all Right Right period period period period
     shoot panel-pixel 3
 
     press_all Escape s

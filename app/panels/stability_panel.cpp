@@ -138,9 +138,8 @@ void draw_case(const EngineState& state, const StabilityCase& info, Edit& edit) 
     ImGui::PushFont(theme::font(theme::Type::heading));
     widgets::note(fmt::format("{}  {}", info.id, info.title), theme::text);
     ImGui::PopFont();
-    const float width = theme::px(84);
-    draw_scene_buttons(info, width, edit);
-    draw_run_buttons(state, sweep, width, edit);
+    draw_scene_buttons(info, theme::px(84), edit);
+    draw_run_buttons(state, sweep, theme::px(52), edit);
     draw_work(state, edit);
     if (sweep) draw_value_slider(*sweep, edit);
     const auto paragraph = [](const char* heading, std::string_view text) {
@@ -166,9 +165,9 @@ void draw_stability_panel(const EngineState& state, Edit& edit) {
         draw();
         ImGui::EndChild();
     };
-    column("list", theme::px(212), [&] { draw_list(state, view); });
+    column("list", theme::px(208), [&] { draw_list(state, view); });
     ImGui::SameLine(0, gap);
-    column("case", theme::px(248), [&] { draw_case(state, info, edit); });
+    column("case", theme::px(252), [&] { draw_case(state, info, edit); });
     ImGui::SameLine(0, gap);
     column("results", 0, [&] { draw_results(state, info, edit); });
 }
