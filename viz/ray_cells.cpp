@@ -103,7 +103,7 @@ Ray seen_ray(const PinholeCamera& camera, int width, int height, int x, int y, c
 }
 
 std::vector<ScreenLine> on_screen(const std::vector<WorldLine>& lines, const PinholeCamera& camera, int width,
-                                  int height, std::size_t most) {
+                                  int height, std::size_t most = std::numeric_limits<std::size_t>::max()) {
     const Projection projection(camera, width, height);
     std::vector<ScreenLine> seen;
     for (const WorldLine& line : lines) {
@@ -124,7 +124,6 @@ std::vector<ScreenLine> ray_cells(const KdTree& tree, const PinholeCamera& camer
 
 RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, int width, int height, int x, int y,
                     const Hit& hit) {
-    constexpr std::size_t edges = 12;
     const Ray ray = seen_ray(camera, width, height, x, y, hit);
     const Cell cell = cell_of(tree, node);
     std::vector<WorldLine> outline;
@@ -132,7 +131,7 @@ RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, i
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), double(ray.t_max)};
     const DrawRay::Part part = draw_ray.part_in(cell.box).value_or(DrawRay::Part{none, none});
-    return {node, cell.depth, float(part.enters), float(part.leaves), on_screen(outline, camera, width, height, edges)};
+    return {node, cell.depth, float(part.enters), float(part.leaves), on_screen(outline, camera, width, height)};
 }
 
 }  // namespace kd

@@ -183,7 +183,10 @@ void Engine::read_probes() {
     if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
     for (auto* reading : {&state_.hovered, &state_.pinned})
         if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
-    if (state_.pinned && step_) read_step(*state_.pinned);
+    if (state_.pinned && step_)
+        read_step(*state_.pinned);
+    else
+        walked_frame_.reset();  // a whole frame, which nobody needs once nobody steps
     const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
     if (!probe || !state_.session.view.overlay.show) return;
     const int width = state_.session.width;
