@@ -19,6 +19,16 @@ struct DuelRound {
     TimeSample cpu, gl;
 };
 
+/// What a round of the duel needs to know and finds out.
+struct DuelReply {
+    DuelRound round;
+    int width = 0, height = 0;
+    int scale = 1;
+    std::int64_t rays = 0;
+    std::string cpu_clock, gl_clock;
+    SetupTimes gl_setup;
+};
+
 struct DuelState {
     int width = 0, height = 0;     // of the frame timed
     int scale = 1;                 // 1 = as large as the picture, 2 = half of it along each side

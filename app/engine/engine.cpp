@@ -136,7 +136,7 @@ void Engine::note_input() {
 void Engine::allow_duel(bool allowed, int scale) {
     if (allowed && scale != duel_scale_) {
         duel_scale_ = scale;
-        duel_of_ = 0;  // what was measured is of frames of another size
+        duels_.forget();  // what was measured is of frames of another size
         stop_duel();
     }
     options_.duel = allowed;
@@ -154,7 +154,7 @@ bool Engine::poll() {
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
-    state_.duel.outdated = duel_of_ != trace_generation_ || duel_warm_;
+    duels_.turn_to(configuration_shown());
     start_widths();
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();

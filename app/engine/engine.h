@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "app/engine/duel_book.h"
 #include "app/engine/judging.h"
 #include "app/engine/mailbox.h"
 #include "app/engine/paint.h"
@@ -132,13 +133,12 @@ class Engine {
     std::atomic<float> build_fraction_ = 0, trace_fraction_ = 0, judge_fraction_ = 0,
                        needs_fraction_ = 0;  // written by the threads at work
     TraceRequest duel_failed_;               // its world and configuration cannot be timed
-    std::uint64_t duel_of_ = 0;              // trace_generation_ that the rounds belong to
     double last_input_ = 0, duel_ended_ = 0, duel_took_ = 0;
     int duel_scale_ = 0;  // see allow_duel()
     bool duelling_ = false;
-    bool duel_warm_ = false;  // the next round is the first that counts
 
     Mailbox mailbox_;
+    DuelBook duels_{state_.duel};
     StabilityBench stability_{mailbox_, state_.stability};
     WidthBench widths_{mailbox_, state_.widths};
     PaperBench paper_{mailbox_, state_.paper};

@@ -66,6 +66,7 @@ void Engine::start_load() {
 void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
     scene_ = std::move(loaded);
+    duels_.forget();  // a file of the same name may hold another scene now
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
     start_build();
 }
@@ -341,29 +342,8 @@ void Engine::start_duel() {
 }
 
 void Engine::receive(const DuelReply& reply) {
-    DuelState& duel = state_.duel;
-    // Rounds of another size are no rounds of this frame.
-    if (!duel.rounds.empty() && !duel_warm_ && duel.scale != reply.scale) duel_of_ = 0;
-    if (duel_of_ != trace_generation_) {  // the first round of a frame warms up and is not counted
-        duel_of_ = trace_generation_;
-        duel_warm_ = true;
-        return;
-    }
-    if (duel_warm_) {
-        duel = DuelState{};
-        duel_warm_ = false;
-    }
-    duel.width = reply.width;
-    duel.height = reply.height;
-    duel.scale = reply.scale;
-    duel.chosen = duel_scale_ > 0;
-    duel.rays = reply.rays;
-    duel.cpu_clock = reply.cpu_clock;
-    duel.gl_clock = reply.gl_clock;
-    duel.gl_setup = reply.gl_setup;
-    duel.traversal = state_.session.trace.traversal;
-    duel.add(reply.round);
-    note_rounds();
+    duels_.add(reply, duel_scale_ > 0);
+    if (!state_.duel.outdated) note_rounds();
 }
 
 /// Of the frame and the rays that the picture shows. A picture that changes is left alone.

@@ -31,16 +31,6 @@ struct TraceRequest {
     int duel_scale = 0;  // of the frames that a duel times; 0 = the program's choice
 };
 
-/// What a round of the duel needs to know and finds out.
-struct DuelReply {
-    DuelRound round;
-    int width = 0, height = 0;
-    int scale = 1;
-    std::int64_t rays = 0;
-    std::string cpu_clock, gl_clock;
-    SetupTimes gl_setup;
-};
-
 /// A frame's colours and its time in ms.
 struct SampleReply {
     Image<Vec4> colour;

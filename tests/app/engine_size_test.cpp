@@ -15,6 +15,31 @@ TEST(Engine, TimesFramesOfTheSizeThatIsAskedFor) {
     EXPECT_EQ(engine.state().duel.rounds.size(), 1u) << "rounds of another size do not count";
 }
 
+TEST(Engine, KeepsItsRoundsWhenTheOtherMachineMakesThePicture) {
+    EngineOptions options;
+    options.open_gl = [] { return Context::create(ContextKind::automatic); };
+    Engine engine(small_session(), options);
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.gl.known; }));
+    if (!engine.state().gl.available()) GTEST_SKIP() << "NO CONTEXT: " << engine.state().gl.unavailable;
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.duel.rounds.size() >= 2; }));
+    const std::size_t rounds = engine.state().duel.rounds.size();
+    Session session = engine.state().session;
+    session.tracer = TracerKind::gl_fragment;
+    engine.set_session(session);
+    engine.poll();
+    EXPECT_FALSE(engine.state().duel.outdated);
+    EXPECT_GE(engine.state().duel.rounds.size(), rounds);
+    session.trace.traversal = Traversal::restart;
+    engine.set_session(session);
+    engine.poll();
+    EXPECT_TRUE(engine.state().duel.outdated);
+    session.trace.traversal = Traversal::stack;
+    engine.set_session(session);
+    engine.poll();
+    EXPECT_FALSE(engine.state().duel.outdated);
+    EXPECT_GE(engine.state().duel.rounds.size(), rounds);
+}
+
 TEST(DuelScale, IsChosenOnceAndKeptUnlessFramesGetFarTooSlow) {
     double whole_ms = 600;
     const auto predicted = [&](int scale) { return whole_ms / (scale * scale); };
