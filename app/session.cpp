@@ -27,15 +27,6 @@ bool names_gltf(const fs::path& path) {
     return extension == ".gltf" || extension == ".glb";
 }
 
-std::string known_scenes() {
-    std::string list;
-    for (const ProceduralScene& scene : procedural_scenes())
-        list += fmt::format("{}{}{}", list.empty() ? "" : ", ", scene.name, scene.default_size > 0 ? ":N" : "");
-    list += fmt::format(", {}CASE", stress_prefix);
-    for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
-    return list;
-}
-
 /// The file meant: as given, or a scene shipped under this name.
 fs::path scene_file(const std::string& name) {
     std::error_code error;
@@ -60,6 +51,15 @@ FlatScene shown_file(const fs::path& file) {
 }
 
 }  // namespace
+
+std::string known_scenes() {
+    std::string list;
+    for (const ProceduralScene& scene : procedural_scenes())
+        list += fmt::format("{}{}{}", list.empty() ? "" : ", ", scene.name, scene.default_size > 0 ? ":N" : "");
+    list += fmt::format(", {}CASE", stress_prefix);
+    for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
+    return list;
+}
 
 std::string contents_text(const FlatScene& scene) {
     return fmt::format("{}, {}, {}, {}", counted(scene.triangles.size(), "triangle"),

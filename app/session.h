@@ -37,6 +37,9 @@ struct Session {
 /// The session with its camera in scene units, as people and files have it; here it is in the scene's internal ones.
 [[nodiscard]] Session in_scene_units(Session session, const FlatScene& scene);
 
+/// "ball:N, icoball:N, ..., lantern.gltf": what load_scene() takes beside the names of files.
+[[nodiscard]] std::string known_scenes();
+
 /// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a
 /// scene that comes with the program. InputError naming the known scenes.
 [[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);

@@ -82,11 +82,8 @@ void supply_command(std::vector<std::string>& arguments) {
             known += fmt::format("{}{}", known.empty() ? "" : ", ", command.name);
             meant.emplace_back(command.name);
         }
-        std::string scenes;
-        for (const ProceduralScene& scene : procedural_scenes())
-            scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", scene.name);
         throw UsageError(fmt::format("'{}' is neither a command ({}) nor a scene ({}, or a .gltf or .glb file){}",
-                                     printable(first), known, scenes, did_you_mean(first, meant)));
+                                     printable(first), known, known_scenes(), did_you_mean(first, meant)));
     }
     arguments.insert(arguments.begin(), "view");
 }

@@ -75,7 +75,7 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
         list.AddImage(image_.id(), corner, end, {0, 0}, {1, 1}, dim ? IM_COL32(140, 140, 140, 255) : IM_COL32_WHITE);
         draw_marks(list, area, state, edit, {1 / density.x, 1 / density.y});
     }
-    draw_messages(list, area, state, now);
+    draw_messages(list, area, state, edit, now);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

@@ -44,6 +44,6 @@ void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner);
 void draw_unfinished(const Rectangle& area, const EngineState& state, Edit& edit);
 
 /// Remarks of the last seconds, in the picture's top left corner, below that button.
-void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now);
+void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, double now);
 
 }  // namespace kd

@@ -99,7 +99,7 @@ void draw_unfinished(const Rectangle& area, const EngineState& state, Edit& edit
     ImGui::PopStyleVar(2);
 }
 
-void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, double now) {
+void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& state, const Edit& edit, double now) {
     const float margin = theme::px(12);
     const float padding = theme::px(8);
     const float wrap = std::min(theme::px(420), area.width - 2 * margin - 2 * padding);
@@ -108,6 +108,7 @@ void draw_messages(ImDrawList& list, const Rectangle& area, const EngineState& s
     for (const Message& message : state.messages) {
         const double seconds = message.error ? error_seconds : note_seconds;
         if (!message.stays && now - message.time > seconds) continue;
+        if (edit.window.panels && message.text == edits::why_refused(state, edit)) continue;  // SCENE says it
         const char* text = message.text.c_str();
         const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
         const ImVec2 low{area.x + margin, y};

@@ -30,6 +30,11 @@ TEST(CliUsage, HelpNamesCommandsScenesAndExitCodes) {
     EXPECT_NE(help.out.find("130 interrupted"), std::string::npos);
 }
 
+TEST(CliUsage, AWordThatIsNeitherCommandNorSceneIsToldWhatThereIs) {
+    expect_usage_error(run_kdscope({"bogus"}),
+                       {"'bogus' is neither", "gallery", "ball:N", "stress:CASE", "lantern.gltf"});
+}
+
 TEST(CliUsage, HelpOfEveryCommandHasExamplesAndShortLines) {
     for (const Command& command : commands()) {
         const test::Outcome help = run_kdscope({std::string(command.name), "--help"});

@@ -86,7 +86,8 @@ TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
         (void)run_stability(config, [&](float, const std::string&) { started = true; });
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()), "case 'T999': not known; `kdscope stability --list` names all");
+        EXPECT_EQ(std::string(error.what()),
+                  "there is no stability case 'T999'; there are T01 to T63, without T17, T39, T53, T56");
     }
     EXPECT_FALSE(started);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 
 #include "renderer/geometry/input_error.h"
@@ -17,10 +18,21 @@ std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& i
     std::vector<const StabilityCase*> chosen;
     for (const StabilityCase& info : stability_cases())
         if (ids.empty() || std::ranges::find(ids, info.id) != ids.end()) chosen.push_back(&info);
-    for (const std::string& id : ids)
-        if (std::ranges::find(stability_cases(), id, &StabilityCase::id) == stability_cases().end())
-            throw InputError(fmt::format("case '{}': not known; `kdscope stability --list` names all", id));
+    for (const std::string& id : ids) (void)stability_case(id);
     return chosen;
+}
+
+/// "T01 to T63, without T17 and T39": the cases keep their numbers for good, and some are not used.
+std::string numbers_used() {
+    const auto number = [](const StabilityCase& info) { return std::stoi(std::string(info.id.substr(1))); };
+    std::vector<std::string> unused;
+    int next = number(stability_cases().front());
+    for (const StabilityCase& info : stability_cases()) {
+        for (; next < number(info); ++next) unused.push_back(fmt::format("T{:02}", next));
+        ++next;
+    }
+    return fmt::format("{} to {}{}{}", stability_cases().front().id, stability_cases().back().id,
+                       unused.empty() ? "" : ", without ", fmt::join(unused, ", "));
 }
 
 std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& config, std::vector<std::string>& notes) {
@@ -42,6 +54,13 @@ std::span<const StabilityCase> stability_cases() {
         return cases;
     }();
     return table;
+}
+
+const StabilityCase& stability_case(std::string_view id) {
+    const auto found = std::ranges::find(stability_cases(), id, &StabilityCase::id);
+    if (found == stability_cases().end())
+        throw InputError(fmt::format("there is no stability case '{}'; there are {}", id, numbers_used()));
+    return *found;
 }
 
 bool StabilityReport::passed() const {

@@ -30,6 +30,9 @@ struct StabilityCase {
 /// In order of their ids.
 [[nodiscard]] std::span<const StabilityCase> stability_cases();
 
+/// The case called `id`, such as "T14". InputError naming those there are.
+[[nodiscard]] const StabilityCase& stability_case(std::string_view id);
+
 struct StabilityConfig {
     std::vector<std::string> cases;       // ids; empty = all
     bool long_run = false;                // all rays of a case instead of a tenth

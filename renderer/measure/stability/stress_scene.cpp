@@ -34,12 +34,6 @@ std::optional<FlatScene> first_scene(const StabilityCase& info, unsigned seed) {
     return run.found;
 }
 
-const StabilityCase& case_of(std::string_view name, std::string_view id) {
-    const auto found = std::ranges::find(stability_cases(), id, &StabilityCase::id);
-    if (found != stability_cases().end()) return *found;
-    throw InputError(fmt::format("{}: there is no case '{}'; `kdscope stability --list` names all", name, id));
-}
-
 double value_for(const Sweep& sweep, std::string_view name, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -58,7 +52,7 @@ std::optional<FlatScene> make_stress_scene(std::string_view name, unsigned seed)
     if (!name.starts_with(stress_prefix)) return std::nullopt;
     const std::string_view rest = name.substr(stress_prefix.size());
     const std::size_t equals = std::min(rest.find('='), rest.size());
-    const StabilityCase& info = case_of(name, rest.substr(0, equals));
+    const StabilityCase& info = stability_case(rest.substr(0, equals));
     std::optional<FlatScene> scene;
     if (equals == rest.size()) {
         scene = first_scene(info, seed);
