@@ -305,7 +305,7 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
             for (const LineRatio& one : row.line_ratios.all()) {
                 EXPECT_NEAR(one.ratio, 1, LineRatios::most_error) << name << ' ' << row.name();
                 EXPECT_TRUE(one.interval.holds(one.ratio)) << name << ' ' << row.name();
-                if (row.stats.nodes > 1) {
+                if (row.stats.nodes > 3) {  // every line meets the one inner node of three
                     EXPECT_GT(one.interval.high, one.interval.low) << name << ' ' << row.name();
                 }
                 EXPECT_LT(one.interval.high - one.interval.low, 2 * LineRatios::most_error) << name << row.name();
