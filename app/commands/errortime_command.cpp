@@ -14,6 +14,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
+#include "app/error_time/error_time_faults.h"
 #include "app/error_time/error_time_page.h"
 #include "app/error_time/error_time_run.h"
 #include "app/report/chart_files.h"
@@ -93,7 +94,10 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
     if (!can_draw_charts()) context.err << fmt::format("kdscope: note: {}\n", no_gnuplot_text);
     for (const std::string& name : write_error_time(options.folder, results, context.stop))
         context.out << (fs::path(options.folder) / name).string() << '\n';
-    return exit_ok;
+    const std::vector<ErrorTimeFault> faults = faults_of(results);
+    for (const ErrorTimeFault& fault : faults)
+        context.err << fmt::format("kdscope: {}: {}\n", fault.where(), fault.what);
+    return faults.empty() ? exit_ok : exit_check_failed;
 }
 
 CommandBody declare(CLI::App& app) {
@@ -125,7 +129,9 @@ Command errortime_command() {
             "  P2  lost rays and errors of t against ns per ray: triangle test, rules, traversal, precision\n"
             "  P3  predicted cost of trees against what lines and rays pay\n"
             "  P4  build time against the quality of trees, and from how many frames on it pays\n"
-            "Prints the path of every file. What does not apply to a scene is left out, and the page says why.\n\n"
+            "Prints the path of every file. What does not apply to a scene is left out, and the page says why.\n"
+            "Exits 1 where an image depends on the traversal, the watertight test loses a ray under robust rules, or\n"
+            "lines do not pay what is predicted.\n\n"
             "Examples:\n"
             "  kdscope errortime cornell ball:9000 -o out/et\n"
             "  kdscope errortime ball:9000 -o out/p1 --report P1 --tracer gl-fragment --context egl\n",

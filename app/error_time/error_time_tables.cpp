@@ -60,22 +60,41 @@ std::string tree_csv(const TreeReport& report) {
         text += fmt::format(",cost_per_{}_ray", name == "reflection shadow" ? "reflection_shadow" : name);
     text +=
         ",build_ms,build_ms_p25,build_ms_p75,builds,frame_ms,frame_ms_p25,frame_ms_p75,frames,sah_ratio,frame_ratio,"
-        "frame_ratio_low,frame_ratio_high,frame_ratio_confidence,break_even_frames,on_front,is_reference\n";
+        "frame_ratio_low,frame_ratio_high,frame_ratio_confidence,break_even_frames,on_front,is_reference";
+    for (const char* what : {"line_cost_ratio", "line_interior_ratio", "line_test_ratio"})
+        text += fmt::format(",{0},{0}_low,{0}_high", what);
+    text += ",break_even_frames_low,break_even_frames_high\n";
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const TreeRow& r = report.rows[i];
         const double lines = double(std::max<std::int64_t>(r.lines.rays, 1));
         std::array<std::optional<double>, pass_count> cost;
         for (std::size_t pass = 0; pass < pass_count; ++pass)
             if (report.rays[pass] > 0) cost[pass] = r.cost_per_ray[pass];
-        text += csv_row(r.builder, r.leaf_size, r.bins > 0 ? std::optional(r.bins) : std::nullopt, r.stats.nodes,
-                        r.stats.references, r.cap_hit, r.stats.sah_cost, r.stats.expected_interior_visits,
-                        r.stats.expected_triangle_tests, r.lines.rays, r.lines.mean_cost(), r.lines.standard_error(),
-                        r.lines.interior / lines, r.lines.tests / lines, cost[0], cost[1], cost[2], cost[3],
-                        r.build.median_ms, r.build.p25_ms, r.build.p75_ms, r.build.samples, r.frame.median_ms,
-                        r.frame.p25_ms, r.frame.p75_ms, r.frame.samples, r.sah_ratio, r.frame_ratio.median,
-                        r.frame_ratio.low, r.frame_ratio.high, r.frame_ratio.confidence, r.break_even_frames,
-                        r.on_front, i == report.reference);
+        const auto& [lines_cost, lines_interior, lines_tests] = r.line_ratios;
+        const auto paid = r.break_even_frames ? std::optional(r.break_even_interval) : std::nullopt;
+        text += csv_row(
+            r.builder, r.leaf_size, r.bins > 0 ? std::optional(r.bins) : std::nullopt, r.stats.nodes,
+            r.stats.references, r.cap_hit, r.stats.sah_cost, r.stats.expected_interior_visits,
+            r.stats.expected_triangle_tests, r.lines.rays, r.lines.mean_cost(), r.lines.standard_error(),
+            r.lines.interior / lines, r.lines.tests / lines, cost[0], cost[1], cost[2], cost[3], r.build.median_ms,
+            r.build.p25_ms, r.build.p75_ms, r.build.samples, r.frame.median_ms, r.frame.p25_ms, r.frame.p75_ms,
+            r.frame.samples, r.sah_ratio, r.frame_ratio.median, r.frame_ratio.low, r.frame_ratio.high,
+            r.frame_ratio.confidence, r.break_even_frames, r.on_front, i == report.reference, lines_cost.ratio,
+            lines_cost.interval.low, lines_cost.interval.high, lines_interior.ratio, lines_interior.interval.low,
+            lines_interior.interval.high, lines_tests.ratio, lines_tests.interval.low, lines_tests.interval.high,
+            paid ? std::optional(paid->low) : std::nullopt, paid ? std::optional(paid->high) : std::nullopt);
     }
+    return text;
+}
+
+std::string tau_csv(const TreeReport& report) {
+    std::string text = "of,trees,tau,tau_low,tau_high\n";
+    const auto add = [&](const std::string& of, const RankCorrelation& correlation) {
+        text += csv_row(of, report.rows.size(), correlation.tau, correlation.interval.low, correlation.interval.high);
+    };
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (report.tau[pass]) add(fmt::format("{} rays", ray_names[pass]), *report.tau[pass]);
+    add("frame time", report.frame_tau);
     return text;
 }
 

@@ -18,6 +18,8 @@ namespace kd {
 [[nodiscard]] std::string hit_csv(const HitReport& report);
 /// P3 and P4.
 [[nodiscard]] std::string tree_csv(const TreeReport& report);
+/// Kendall's tau of the prediction with each kind of rays and with the time of a frame.
+[[nodiscard]] std::string tau_csv(const TreeReport& report);
 
 /// The numbers that a page shows, each under a name: what is shown is what the table holds.
 class ShownNumbers {

@@ -64,8 +64,7 @@ void draw_back(Edit& edit) {
     }
 }
 
-void draw_tried(const EngineState& state, Edit& edit, ImVec2 size) {
-    const TriedChart tried = tried_chart(state.convergence, edit.session);
+void draw_tried(const EngineState& state, const TriedChart& tried, Edit& edit, ImVec2 size) {
     chart::DrawOptions options{size, "Click: back to this configuration."};
     if (tried.current) options.marked_point = chart::Pick{tried.current->first, tried.current->second};
     const auto pick = chart::draw("##tried", tried.chart, options);
@@ -91,11 +90,13 @@ void draw_error_time_panel(const EngineState& state, Edit& edit) {
     ImGui::BeginChild("charts", {0, 0}, false, ImGuiWindowFlags_NoScrollbar);
     const Chart error = convergence_chart(state.convergence);
     if (!error.curves.empty()) chart::draw_legend(error);
+    const TriedChart tried = tried_chart(state.convergence, edit.session);
+    if (tried.loses_hits) chart::draw_legend(tried.chart);
     const ImVec2 space = ImGui::GetContentRegionAvail();
     const ImVec2 size{std::max(theme::px(120), (space.x - gap) / 2), std::max(theme::px(90), space.y)};
     (void)chart::draw("##convergence", error, {size});
     ImGui::SameLine(0, gap);
-    draw_tried(state, edit, size);
+    draw_tried(state, tried, edit, size);
     ImGui::EndChild();
 }
 

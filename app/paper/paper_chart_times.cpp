@@ -79,7 +79,7 @@ PaperFigure figure_9(const PaperResults& r) {
             "Figure 9",
             "Equal steps to the right are equal factors of triangles: a curve that falls by equal amounts falls "
             "logarithmically. The paper printed no numbers; dashed is what it says of the distance to CPURT. Its sizes "
-            "end at 9K; 81K tells a logarithm from a root.",
+            "end at the third; the fourth tells a logarithm from a root.",
             chart,
             {}};
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/report/sampled_curve_look.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/chart_axis.h"
 
 namespace kd {
@@ -34,14 +35,20 @@ ChartCurve root_law(const ConvergenceCurve& curve) {
     return line;
 }
 
-/// Of one machine; the indices of the configurations go to `tried`.
-ChartCurve curve_of(const ConvergenceState& state, TracerKind tracer, std::vector<std::size_t>& tried) {
+bool follows_robust_rules(const Session& session) { return rules_in_force(session.trace) == Rules::robust; }
+
+/// Of one machine, under robust rules or under others, which may be quick because they lose hits; the indices of the
+/// configurations go to `tried`.
+ChartCurve curve_of(const ConvergenceState& state, TracerKind tracer, bool robust, std::vector<std::size_t>& tried) {
     const bool cpu = tracer == TracerKind::cpu;
-    ChartCurve curve{cpu ? "CPU" : "GPU", cpu ? Ink::cpu : Ink::gpu};
+    ChartCurve curve{fmt::format("{}{}", cpu ? "CPU" : "GPU", robust ? "" : ", rules that lose hits"),
+                     cpu ? Ink::cpu : Ink::gpu};
     curve.form = Form::points;
+    if (!robust) curve.marker = Marker::triangle;
     for (std::size_t i = 0; i < state.tried.size(); ++i) {
         const TriedConfiguration& t = state.tried[i];
-        if (t.session.tracer != tracer || !(t.time.median_ms > 0) || !(t.steps_per_pixel > 0)) continue;
+        if (t.session.tracer != tracer || follows_robust_rules(t.session) != robust) continue;
+        if (!(t.time.median_ms > 0) || !(t.steps_per_pixel > 0)) continue;
         ChartPoint point;
         point.x = t.time.median_ms;
         point.y = t.steps_per_pixel;
@@ -95,10 +102,14 @@ TriedChart tried_chart(const ConvergenceState& state, const Session& now) {
     made.chart.title = "Configurations tried";
     made.chart.x.label = "ms per frame";
     made.chart.y.label = "node visits per pixel";
-    for (const TracerKind tracer : {TracerKind::cpu, TracerKind::gl_fragment}) {
+    for (const auto& [tracer, robust] : {std::pair(TracerKind::cpu, true),
+                                         {TracerKind::gl_fragment, true},
+                                         {TracerKind::cpu, false},
+                                         {TracerKind::gl_fragment, false}}) {
         std::vector<std::size_t> tried;
-        ChartCurve curve = curve_of(state, tracer, tried);
+        ChartCurve curve = curve_of(state, tracer, robust, tried);
         if (tried.empty()) continue;
+        made.loses_hits |= !robust;
         for (std::size_t p = 0; p < tried.size(); ++p)
             if (same_configuration(state.tried[tried[p]].session, now))
                 made.current = std::pair(made.chart.curves.size(), p);

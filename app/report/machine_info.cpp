@@ -5,6 +5,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <thread>
 #include <unistd.h>
 #include <version.h>
 
@@ -40,9 +41,7 @@ MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl) {
     on.threads = threads > 0 ? threads : default_threads();
     if (::getloadavg(&on.load, 1) != 1) on.load = -1;
     if (gl) {
-        on.renderer = gl->renderer();
-        on.driver = gl->driver();
-        on.software_gl = gl->software_gl();
+        note_gl(on, gl->renderer(), gl->driver(), gl->software_gl());
         on.gl_clock = gl->clock();
     }
     on.version = build::version;
@@ -56,10 +55,18 @@ MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl) {
 
 MeasuredOn measured_on(int threads, unsigned seed, const Context& gl) {
     MeasuredOn on = measured_on(threads, seed);
-    on.renderer = gl.renderer();
-    on.driver = gl.version();
-    on.software_gl = gl.is_software();
+    note_gl(on, gl.renderer(), gl.version(), gl.is_software());
     return on;
+}
+
+void note_gl(MeasuredOn& on, const std::string& renderer, const std::string& driver, bool software) {
+    on.renderer = renderer;
+    on.driver = driver;
+    on.software_gl = software;
+    if (!software) return;
+    const char* told = std::getenv("LP_NUM_THREADS");
+    on.gl_threads = told && *told ? fmt::format("{} (LP_NUM_THREADS)", printable(told))
+                                  : fmt::format("{} (one a core)", std::thread::hardware_concurrency());
 }
 
 void check_frame_memory(int width, int height) {

@@ -21,6 +21,10 @@ class FrameTracer;  // app/frame/frame_tracer.h
 /// The same of a context in which nothing is timed.
 [[nodiscard]] MeasuredOn measured_on(int threads, unsigned seed, const Context& gl);
 
+/// The OpenGL that shaders ran on; of a software renderer its threads too: llvmpipe takes LP_NUM_THREADS, or one a
+/// core.
+void note_gl(MeasuredOn& on, const std::string& renderer, const std::string& driver, bool software);
+
 /// InputError where the frame of a picture does not fit into this machine's memory.
 void check_frame_memory(int width, int height);
 

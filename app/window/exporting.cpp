@@ -58,9 +58,7 @@ PngText png_text(const EngineState& state) {
 MeasuredOn machine_of(const EngineState& state) {
     MeasuredOn on = measured_on(state.session.threads, state.session.seed);
     if (on_cpu(state)) return on;
-    on.renderer = state.gl.renderer;
-    on.driver = state.gl.version;
-    on.software_gl = state.gl.software;
+    note_gl(on, state.gl.renderer, state.gl.version, state.gl.software);
     on.gl_clock = state.picture->traced.clock;
     return on;
 }

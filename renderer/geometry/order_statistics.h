@@ -8,12 +8,14 @@
 
 namespace kd {
 
-/// Quantile `q` (0..1) of ascending values, linear between them; at least one value.
+/// Quantile `q` (0..1) of ascending values, linear between them; at least one value. They may be infinite.
 [[nodiscard]] inline double quantile(std::span<const double> ascending, double q) {
     const double position = q * double(ascending.size() - 1);
     const auto below = std::size_t(position);
     const auto above = std::min(below + 1, ascending.size() - 1);
-    return std::lerp(ascending[below], ascending[above], position - double(below));
+    const double part = position - double(below);
+    if (part == 0 || ascending[below] == ascending[above]) return ascending[below];
+    return std::lerp(ascending[below], ascending[above], part);
 }
 
 /// The least value that at least the fraction `q` (0..1) of `values` does not exceed (nearest rank). Reorders `values`,

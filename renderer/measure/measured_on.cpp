@@ -13,6 +13,7 @@ std::vector<std::pair<std::string, std::string>> MeasuredOn::facts() const {
             {"load", load < 0 ? "unknown" : fmt::format("{:.2f}", load)},
             {"renderer", gl},
             {"driver", driver},
+            {"gl_threads", gl_threads},
             {"gl_clock", gl_clock},
             {"cpu_clock", "steady clock"},
             {"version", version},

@@ -14,6 +14,7 @@ struct MeasuredOn {
     double load = -1;               // of the machine when it began: processes that wanted to run; -1 = not known
     std::string renderer, driver;   // GL_RENDERER and GL_VERSION; empty without OpenGL
     bool software_gl = false;       // the shaders ran on the CPU
+    std::string gl_threads;         // "2 (one a core)", "4 (LP_NUM_THREADS)"; empty where no software ran them
     std::string gl_clock;           // that times of OpenGL were read from; the CPU's are from the steady clock
     std::string version, commit, compiler, flags, build_type;
     unsigned seed = 1;

@@ -131,5 +131,27 @@ TEST(ConvergenceTest, EachConfigurationIsKeptOnceAndRoundsWinOverOneFrame) {
     EXPECT_EQ(chart.tried[1][0], 1u);
 }
 
+TEST(ConvergenceTest, ConfigurationsThatLoseHitsHaveMarksOfTheirOwn) {
+    ConvergenceState state;
+    Session session;
+    state.note_tried(session, 20, {5, 5, 5, 6}, false);
+    EXPECT_FALSE(tried_chart(state, session).loses_hits);
+    session.trace.rules = Rules::as_published;
+    session.trace.traversal = Traversal::ropes;  // has no form as published and walks robustly
+    state.note_tried(session, 19, {4, 4, 4, 6}, false);
+    EXPECT_FALSE(tried_chart(state, session).loses_hits);
+    session.trace.traversal = Traversal::stack;
+    state.note_tried(session, 18, {3, 3, 3, 6}, false);
+    const TriedChart tried = tried_chart(state, session);
+    EXPECT_TRUE(tried.loses_hits);
+    ASSERT_EQ(tried.chart.curves.size(), 2u);
+    EXPECT_EQ(tried.chart.curves[0].name, "CPU");
+    EXPECT_EQ(tried.chart.curves[0].points.size(), 2u);
+    EXPECT_EQ(tried.chart.curves[1].name, "CPU, rules that lose hits");
+    EXPECT_NE(marker_of(tried.chart.curves[1]), marker_of(tried.chart.curves[0]));
+    EXPECT_EQ(tried.tried[1], std::vector<std::size_t>{2});
+    EXPECT_EQ(tried.current, std::pair(std::size_t(1), std::size_t(0)));
+}
+
 }  // namespace
 }  // namespace kd

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "renderer/measure/error_time/break_even.h"
 #include "renderer/measure/error_time/fit.h"
 #include "renderer/measure/error_time/flip.h"
 #include "renderer/measure/error_time/image_error.h"
@@ -112,6 +113,58 @@ Colours checked(int width, int height) {
         for (int x = 0; x < width; ++x)
             image.at(x, y) = (x / 4 + y / 4) % 2 ? glm::dvec3(0.9, 0.2, 0.1) : glm::dvec3(0.1, 0.4, 0.8);
     return image;
+}
+
+TEST(ErrorTimeMath, BreakEvenHasAnIntervalOverRounds) {
+    const std::vector<double> builds_a{90, 100, 100, 100, 110, 100}, builds_b{290, 300, 300, 300, 310, 300};
+    const std::vector<double> frames_a{11.9, 12, 12, 12, 12.1, 12}, frames_b{10, 10, 10, 10, 10, 10};
+    const Interval pays = break_even_interval({builds_a, frames_a}, {builds_b, frames_b}, 1);
+    EXPECT_TRUE(pays.holds(100)) << pays.low << ' ' << pays.high;
+    EXPECT_GT(pays.low, 85);
+    EXPECT_LT(pays.high, 115);
+    EXPECT_LT(pays.low, pays.high) << "rounds differ";
+    // Half of the rounds say that b never pays.
+    const std::vector<double> unsure{9, 9, 9, 12, 12, 12};
+    EXPECT_EQ(break_even_interval({builds_a, unsure}, {builds_b, frames_b}, 1).high,
+              std::numeric_limits<double>::infinity());
+    EXPECT_EQ(break_even_interval({builds_b, frames_a}, {builds_a, frames_b}, 1).high, 0) << "no slower to build";
+}
+
+TEST(ErrorTimeMath, RankCorrelationHasAnIntervalOverPairs) {
+    std::vector<double> x, y, noise;
+    for (int i = 0; i < 20; ++i) {
+        x.push_back(i);
+        y.push_back(i % 7 == 3 ? i - 4.5 : i);
+        noise.push_back(std::abs(i - 9.4));  // falls as long as it rises
+    }
+    const RankCorrelation alike = rank_correlation(x, x, 1), close = rank_correlation(x, y, 1),
+                          none = rank_correlation(x, noise, 1);
+    EXPECT_EQ(alike.interval.low, 1);
+    EXPECT_EQ(close.tau, kendall_tau(x, y));
+    EXPECT_TRUE(close.interval.holds(close.tau));
+    EXPECT_GT(close.interval.low, 0.4);
+    EXPECT_LT(close.interval.low, close.tau);
+    EXPECT_TRUE(none.interval.holds(0)) << none.interval.low << ' ' << none.interval.high;
+}
+
+TEST(ErrorTimeMath, LinesThatAreTooFewDecideNothing) {
+    TreeStats predicted;
+    predicted.sah_cost = predicted.expected_interior_visits = predicted.expected_triangle_tests = 2;
+    const auto judged = [&](std::initializer_list<double> per_set) {
+        std::vector<PassedCells> sets;
+        for (const double met : per_set) sets.push_back({.rays = 100, .interior = met, .tests = met, .cost = met});
+        return line_ratios(sets, predicted, 1);
+    };
+    EXPECT_EQ(judged({198, 200, 200, 202}).verdict(), LineVerdict::right);
+    EXPECT_EQ(judged({218, 220, 220, 222}).verdict(), LineVerdict::wrong);
+    EXPECT_NEAR(judged({218, 220, 220, 222}).error(), 0.1, 1e-12);
+    EXPECT_EQ(judged({100, 300, 250, 190}).verdict(), LineVerdict::open);
+    // What is met once in a million lines is not met by four hundred.
+    predicted.expected_triangle_tests = predicted.expected_interior_visits = predicted.sah_cost = 1e-6;
+    const LineRatios none = judged({0, 0, 0, 0});
+    EXPECT_EQ(none.cost.ratio, 0);
+    EXPECT_EQ(none.cost.interval.high, 3.0 / 400 / 1e-6);
+    EXPECT_EQ(none.verdict(), LineVerdict::open);
 }
 
 TEST(ImageError, MeanSquareOfKnownImages) {

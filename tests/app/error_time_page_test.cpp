@@ -9,6 +9,7 @@
 #include "app/error_time/error_time_page.h"
 #include "app/error_time/error_time_tables.h"
 #include "renderer/io/file.h"
+#include "renderer/measure/error_time/break_even.h"
 #include "tests/app/cli_run.h"
 #include "tests/app/report_page.h"
 
@@ -182,6 +183,7 @@ std::string page_of_builds(const fs::path& folder, const std::vector<MedianInter
         row.frame = {i == 0 ? 10.0 : 9.0, 8, 12, 6};  // the medians say that all are quicker than the reference
         row.frame_ratio = ratios[i];
         row.break_even_frames = break_even(row.build.median_ms, 300, 10, row.frame_ratio);
+        row.break_even_interval = {90, std::numeric_limits<double>::infinity()};
         trees.rows.push_back(row);
     }
     results.scenes.push_back(std::move(scene));
@@ -207,7 +209,7 @@ TEST(ErrorTimePage, SaysOfBuildersWhatTheIntervalShowsAndNoMore) {
          median_interval({0.5, 0.5, 0.6, 0.6, 0.7, 0.7}), median_interval({1.1, 1.2, 1.3})});
     EXPECT_EQ(cells_of(page, "builder a").back(), "the reference");
     const auto above = cells_of(page, "builder b");
-    EXPECT_EQ(above.back(), "100") << "though the medians of the frames stand the other way round";
+    EXPECT_EQ(above.back(), "100 (90 to never)") << "though the medians of the frames stand the other way round";
     EXPECT_EQ(above[above.size() - 2], "1.20× (1.10 – 1.30)");
     const auto holds_one = cells_of(page, "builder c");
     EXPECT_EQ(holds_one.back(), "no difference seen");
@@ -260,8 +262,19 @@ TEST(ErrorTimePage, JudgesNodesAndTestsBesideTheirSum) {
     row.stats.sah_cost = 3;
     row.stats.expected_interior_visits = 1;
     row.stats.expected_triangle_tests = 2;
-    row.lines = {.rays = 100, .interior = 101, .tests = 199, .cost = 300};
-    report.rows.push_back(row);
+    // Sets of lines that differ by a hundredth of what they met.
+    const auto count = [&](double interior, double tests, double spread) {
+        std::vector<PassedCells> sets;
+        for (const double off : {-spread, 0.0, 0.0, spread})
+            sets.push_back({.rays = 100,
+                            .interior = interior * (1 + off),
+                            .tests = tests * (1 + off),
+                            .cost = (interior + tests) * (1 + off)});
+        row.lines = sum_of(sets);
+        row.line_ratios = line_ratios(sets, row.stats, 1);
+        report.rows = {row};
+    };
+    count(101, 199, 0.01);
     const auto sentence = [&] {
         const std::string page = page_of(ErrorReport::p3, &SceneErrorTime::trees, report);
         const std::size_t begin = page.find("<p>Over ");
@@ -269,10 +282,11 @@ TEST(ErrorTimePage, JudgesNodesAndTestsBesideTheirSum) {
     };
     EXPECT_NE(sentence().find("off by at most 1.00 %"), std::string::npos) << sentence();
     EXPECT_NE(sentence().find("it counts rightly"), std::string::npos) << sentence();
-    report.rows[0].lines.interior = 120;
-    report.rows[0].lines.tests = 180;
+    count(120, 180, 0.01);
     EXPECT_NE(sentence().find("off by at most 20.00 %"), std::string::npos) << "their sum is right: " << sentence();
     EXPECT_NE(sentence().find("it counts wrongly"), std::string::npos) << sentence();
+    count(120, 180, 0.9);
+    EXPECT_NE(sentence().find("these lines are too few to tell"), std::string::npos) << sentence();
 }
 
 HitReport two_rows() {

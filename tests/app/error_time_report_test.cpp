@@ -55,6 +55,7 @@ TEST(ImageReportTest, TraversalsDifferInTimeAlone) {
     ASSERT_TRUE(report.complete);
     ASSERT_EQ(report.curves.size(), 9u);
     for (const ImageCurve& curve : report.curves) {
+        // Colours are floats below 1: one that is added up in another order differs by 6e-8, their RMSE by less.
         EXPECT_LE(curve.worst_gap, 1e-7) << name_of(curve.sampler) << ' ' << curve.traversal;
         ASSERT_EQ(curve.points.size(), 5u);
         EXPECT_EQ(curve.points.back().samples, 16);
@@ -75,6 +76,8 @@ TEST(ImageReportTest, TraversalsDifferInTimeAlone) {
             EXPECT_LT(point.rmse_interval.low, random ? point.rmse : point.rmse + 1e-12);
             EXPECT_GT(point.rmse_interval.high, random ? point.rmse : point.rmse - 1e-12);
         }
+        // RMSE falls to 16^-0.5 = 0.25 and below; FLIP raises differences to the power of 0.7 before they are
+        // compressed.
         EXPECT_LT(curve.points.back().flip, 0.6 * curve.points.front().flip) << "16 samples instead of one";
     }
 }
@@ -164,8 +167,11 @@ TEST(ImageReportTest, IndependentSamplesConvergeByTheRootAndStratifiedOnesFaster
     const ImageReport report = report_images(images.task);
     double slopes[3] = {};
     for (const ImageCurve& curve : report.curves) slopes[std::size_t(curve.sampler)] = curve.fit.slope;
+    // Theory: -0.5, and -0.75 where edges make the error. Twelve sets tell a slope to about 0.05, so 0.1 is two of
+    // that.
     EXPECT_NEAR(slopes[std::size_t(Sampler::independent)], -0.5, 0.1);
     EXPECT_LT(slopes[std::size_t(Sampler::stratified)], slopes[std::size_t(Sampler::independent)] - 0.1);
+    // Eight times as many samples, stratified: 8^-0.75 = 0.21 of the error of the best curve.
     EXPECT_LT(report.reference_rmse, 0.3 * report.curves.back().points.back().rmse);
 }
 
@@ -182,6 +188,8 @@ TEST(ImageReportTest, ReferenceOfOneSampleIsTheFrame) {
         single.add(colour);
         const PathConfig path = path_config(images.scene, config);
         const Image<glm::dvec3> wide = double_frame(images.scene, camera, 24, 24, path, 0, {}, &images.boxes);
+        // Single precision rounds colours to 6e-8 after some hundred operations; a pixel at an edge that fell on the
+        // other side would alone make 1/24 of a colour's step, 1e-2 and more.
         EXPECT_LT(std::sqrt(mean_square_error(single.mean(), wide)), 1e-4);
         const Image<glm::dvec3> slow = double_frame(images.scene, camera, 24, 24, path);
         EXPECT_EQ(wide.pixels, slow.pixels);
@@ -196,6 +204,8 @@ TEST(ImageReportTest, ErrorsFallWithoutShadowsToo) {
     images.task.methods.resize(1);
     const ImageReport report = report_images(images.task);
     for (const ImageCurve& curve : report.curves) {
+        // The regular grid falls in steps, so its five points lie about a slope less well than 0.5 has it; 16^-0.35 is
+        // 0.38.
         EXPECT_LT(curve.fit.slope, -0.35) << name_of(curve.sampler);
         EXPECT_LT(curve.points.back().rmse, 0.4 * curve.points.front().rmse) << name_of(curve.sampler);
     }
@@ -244,9 +254,13 @@ TEST(HitReportTest, RobustWatertightLosesNothingAndTheOthersDo) {
             plain_misses_edges += row.missed;
         if (row.family == "T10" && !robust) published_wrong += row.missed + row.wrong;
         if (row.family == "T14" && row.method.in_double) {
+            // 2^-29 = 2e-9 ulp of a float for each rounding; the worst t in single precision, some hundred ulp, would
+            // be 1e-6 or less, and all were below 3e-6.
             EXPECT_LT(row.ulp_most, 1e-4) << name << ": a double has 29 bits more";
         }
         if (row.family == "T14" && !row.method.in_double) {
+            // Rounding t alone errs by a quarter of an ulp in the median, so a twentieth would be no float's. 99.9 %
+            // were within 13 ulp by either test, and three times of that allows for other rays.
             EXPECT_GT(row.ulp_p50, 0.05) << name << ": a float rounds";
             EXPECT_GT(row.ulp_p999, 1.5 * row.ulp_p50) << name;
             EXPECT_GT(row.ulp_most, 1) << name;
@@ -302,13 +316,20 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
         ASSERT_TRUE(report.complete);
         ASSERT_GE(report.rows.size(), 6u);
         for (const TreeRow& row : report.rows) {
-            EXPECT_NEAR(row.line_cost_ratio(), 1, 0.05) << name << ' ' << row.name();
-            EXPECT_NEAR(row.line_interior_ratio(), 1, 0.05) << name << ' ' << row.name();
-            EXPECT_NEAR(row.line_test_ratio(), 1, 0.05) << name << ' ' << row.name();
+            for (const LineRatio& one : row.line_ratios.all()) {
+                EXPECT_NEAR(one.ratio, 1, LineRatios::most_error) << name << ' ' << row.name();
+                EXPECT_TRUE(one.interval.holds(one.ratio)) << name << ' ' << row.name();
+                if (row.stats.nodes > 3) {  // every line meets the one inner node of three
+                    EXPECT_GT(one.interval.high, one.interval.low) << name << ' ' << row.name();
+                }
+                EXPECT_LT(one.interval.high - one.interval.low, 2 * LineRatios::most_error) << name << row.name();
+            }
             // Surfaces stop camera rays early, but where there are gaps they cross more than a line that enters
             // anywhere.
             const double paid = row.cost_per_ray[0] / row.stats.sah_cost;
-            // Planes at medians leave fewer gaps to cross.
+            // Planes at medians leave fewer gaps to cross. The ends are twice and half of what the trees of these
+            // scenes paid when this was written (0.5 to 0.9, 1.1 to 1.3): beyond them rays would not be those of the
+            // scene.
             EXPECT_GT(paid, dense ? 0.3 : 1.0) << name << ' ' << row.name();
             EXPECT_LT(paid, dense ? 1.0 : 1.4) << name << ' ' << row.name();
             EXPECT_EQ(row.build.samples, 6);
@@ -321,7 +342,8 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
         for (const TreeRow& row : report.rows)
             EXPECT_EQ(row.sah_ratio, row.stats.sah_cost / reference.stats.sah_cost) << name << ' ' << row.name();
         ASSERT_TRUE(report.tau[0].has_value());
-        EXPECT_GT(*report.tau[0], 0.3) << name << ": better trees are better for camera rays, too";
+        EXPECT_GT(report.tau[0]->interval.low, 0) << name << ": better trees are better for camera rays, too";
+        EXPECT_EQ(report.line_verdict(), LineVerdict::right);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/measure/paper/paper_verdict.h"
 #include "renderer/scene/procedural.h"
 
 namespace kd {
@@ -53,12 +54,21 @@ TEST(PaperCounts, RestartCostIsNoDivergence) {
 }
 
 TEST(PaperCounts, KdRestartVisitsTwiceAsManyNodesOnTheBallToo) {
-    const PaperScene ball = counted("ball:9000");
-    const double ratio = ball.node_ratio(Traversal::restart);
-    EXPECT_GT(ratio, 2.0);
-    // Were traversal the 60 % of the time that section 2.3.1 says, these visits alone would cost more than the 15 %
-    // of 4.1.
-    EXPECT_GT(1 + 0.6 * (ratio - 1), 1.3);
+    for (const char* name : {"ball:1000", "ball:4000", "ball:9000"}) {
+        const PaperScene ball = counted(name);
+        // At 512x512 it is 2.19, 2.32 and 2.46 times as many; a picture of 64x64 has fewer rays to tell it by.
+        const double nodes = ball.node_ratio(Traversal::restart);
+        EXPECT_GT(nodes, 2.0) << name;
+        EXPECT_LT(nodes, 2.7) << name;
+        // Beside leaves and triangle tests, which restarting does not repeat, that is still more work than 15 % of
+        // 4.1, and more than twice of it; whether it shows in the time is up to what else a frame does.
+        const auto work = [&](Traversal traversal) {
+            const PaperCounts& counts = *ball.counts_of(traversal);
+            return double(counts.visits() + counts.all.triangle_tests);
+        };
+        EXPECT_GT(work(Traversal::restart) / work(Traversal::stack), about_more(0.15).high) << name;
+        EXPECT_LT(work(Traversal::restart) / work(Traversal::stack), nodes) << name;
+    }
 }
 
 TEST(PaperCounts, RoomsHaveFewerRaysThatVisitMore) {
@@ -91,6 +101,18 @@ TEST(PaperCounts, ALowerCeilingGivesUpMorePixels) {
         before = row.unfinished;
     }
     EXPECT_EQ(limited_loop(config, "scatter:2000", *world, 1 << 20, nullptr, {}).unfinished, 0);
+}
+
+TEST(PaperCounts, ACeilingThatIsReachedAt2KCutsOffMoreAt10K) {
+    const PaperConfig config = small();
+    const auto unfinished = [&](const char* name) {
+        const std::unique_ptr<PaperWorld> world = open_world(config, name, 1, {});
+        return limited_loop(config, name, *world, 255, nullptr, {}).unfinished;
+    };
+    const std::int64_t at_2k = unfinished("ball:2000");
+    EXPECT_GT(at_2k, 0) << "reached, as section 5 says";
+    EXPECT_GT(unfinished("ball:9000"), at_2k) << "and yet 4.1 shows it whole";
+    EXPECT_GT(unfinished("scatter:10000"), 64 * 64 / 2) << "4.3 would show less than half of its picture";
 }
 
 TEST(PaperCounts, EveryScenesNameIsOneTheProgramKnows) {

@@ -35,7 +35,21 @@ TEST(Encode, TheLargestExactNumberPasses) {
     EXPECT_EQ(decode_float4(encode_float4(tree), {}, {}), tree);
 }
 
+TEST(Encode, BoxesThatBacktrackingNeedsAreNotInTheTexels) {
+    // Where kd-backtrack leaves a cell at y = 3, it looks for the first node above whose box holds that place.
+    const KdTree low = test::empty_cells_tree();
+    KdTree high = low;
+    high.bounds.upper.y = 4;
+    EXPECT_EQ(encode_float4(low), encode_float4(high)) << "parents and all";
+    const std::vector<Aabb> of_low = node_boxes(low), of_high = node_boxes(high);
+    const int upper_leaf = 3, its_parent = low.nodes[upper_leaf].parent;
+    ASSERT_EQ(its_parent, 1);
+    EXPECT_LT(of_low[std::size_t(its_parent)].upper.y, 3) << "on to the parent's parent";
+    EXPECT_GT(of_high[std::size_t(its_parent)].upper.y, 3) << "down again from the parent";
+}
+
 TEST(Encode, OneMoreIsRefusedWithItsNumber) {
+    EXPECT_EQ(float((1 << 24) + 1), float(1 << 24)) << "a float has no such number";
     KdTree tree;
     const auto encode = [&] { (void)encode_float4(tree); };
     for (const auto& [node, what] :

@@ -8,6 +8,7 @@
 
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/paper/node_sizes.h"
+#include "renderer/measure/paper/paper_growth.h"
 #include "renderer/measure/pixel_rays.h"
 #include "renderer/scene/procedural.h"
 #include "tests/support/paper_samples.h"
@@ -94,9 +95,46 @@ TEST(PaperClaims, WhatDoesNotGrowIsNoLogarithm) {
     EXPECT_EQ(judged(100, 100, 100, 0).verdict, not_reproduced) << "constant";
     EXPECT_NE(judged(100, 100, 100, 0.1).verdict, reproduced) << "constant but for noise";
     EXPECT_EQ(judged(100, 160, 160, 0.02).verdict, not_reproduced) << "stops growing";
+    EXPECT_NEAR(judged(100, 160, 160, 0.02).value.median, 0, 0.1);
     EXPECT_EQ(judged(220, 160, 100, 0.02).verdict, not_reproduced) << "falls by as much each time";
     EXPECT_NEAR(judged(100, 160, 220, 0.02).accepted.low, 0.5, 0.01);
     EXPECT_NEAR(judged(100, 160, 220, 0.02).accepted.high, 2, 0.03);
+}
+
+TEST(PaperClaims, ATimeThatDoesNotGrowAtFirstHasNoScoreButAReason) {
+    const auto judged = [](double at_1k, double at_9k, double noise) {
+        test::PaperMs ms = papers_own_ms();
+        ms[{"ball:1000", PaperMethod::cpurt}] = at_1k;
+        ms[{"ball:9000", PaperMethod::cpurt}] = at_9k;
+        ms[{"ball:81000", PaperMethod::cpurt}] = 300;
+        return claim(judge_claims(paper_results(ms, noise)), "E1a CPURT");
+    };
+    const PaperClaim falls = judged(220, 160, 0);
+    EXPECT_EQ(falls.value.samples, 0) << "a score of 0 would be that of what stops growing";
+    EXPECT_EQ(falls.verdict, not_reproduced);
+    EXPECT_EQ(falls.reason, "from 1K to 9K triangles the time does not grow: by -60.0 ms");
+    const PaperClaim unsure = judged(158, 160, 0.2);
+    EXPECT_EQ(unsure.value.samples, 0);
+    EXPECT_EQ(unsure.verdict, undecided);
+    EXPECT_TRUE(unsure.reason.starts_with("from 1K to 9K triangles the time may not grow: by ")) << unsure.reason;
+    for (const double noise : {0.02, 3.0}) {
+        const PaperClaim too_few = claim(judge_claims(paper_results(papers_own_ms(), noise, 3)), "E1a CPURT");
+        EXPECT_EQ(too_few.reason, "3 rounds are too few for an interval of 95 %") << noise;
+    }
+}
+
+TEST(PaperClaims, ARoundThatDoesNotGrowWidensTheInterval) {
+    PaperResults results = paper_results(papers_own_ms(), 0.02, 9);
+    const auto ratio = [&] { return growth(results, PaperMethod::cpurt).ratio; };
+    const MedianInterval before = ratio();
+    // One round of nine in which a small scene happened to be slow: 9 samples leave one out at either end.
+    for (PaperScene& scene : results.scenes)
+        if (scene.name == "ball:1000")
+            for (PaperTimes& times : scene.times) times.timed.rounds[4].ms = 1000;
+    EXPECT_LE(ratio().low, before.low);
+    EXPECT_GE(ratio().high, before.high);
+    EXPECT_LT(ratio().high, 10) << "a number still";
+    EXPECT_EQ(ratio().samples, 9);
 }
 
 TEST(PaperClaims, TheSizeBeyondThePapersCountsForTheLawOfGrowthAlone) {

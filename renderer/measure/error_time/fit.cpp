@@ -5,29 +5,20 @@
 #include <limits>
 #include <numeric>
 
-#include "renderer/geometry/order_statistics.h"
-#include "renderer/scene/random.h"
-
 namespace kd {
 
 namespace {
 
-constexpr int draws = 2000;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The middle 95 % of `statistic` over sets drawn with replacement.
 template <class Sets, class Statistic>
 Interval over_draws(const Sets& sets, std::uint64_t seed, const Statistic& statistic) {
-    Random random(seed);
-    std::vector<double> values;
-    for (int i = 0; i < draws; ++i) {
+    return bootstrap_interval(seed, [&](Random& random) {
         Sets drawn;
-        for (std::size_t k = 0; k < sets.size(); ++k)
-            drawn.push_back(sets[std::size_t(random.unit() * double(sets.size()))]);
-        values.push_back(statistic(drawn));
-    }
-    std::ranges::sort(values);
-    return {quantile(values, 0.025), quantile(values, 0.975)};
+        for (const std::size_t place : drawn_again(sets.size(), random)) drawn.push_back(sets[place]);
+        return statistic(drawn);
+    });
 }
 
 double root_mean(const SquaredErrors& sets, std::size_t column) {

@@ -5,12 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace kd {
+#include "renderer/measure/error_time/bootstrap.h"
 
-/// low <= high. Of a measured value with 95 % confidence, unless said otherwise.
-struct Interval {
-    double low = 0, high = 0;
-};
+namespace kd {
 
 /// y = scale * x^slope.
 struct PowerFit {
@@ -28,7 +25,7 @@ using SquaredErrors = std::vector<std::vector<double>>;
 /// The root of each column's mean.
 [[nodiscard]] std::vector<double> root_means(const SquaredErrors& sets);
 
-/// The same for a column, as an interval: percentiles over sets drawn with replacement (Efron 1979). One set alone: its
+/// The same for a column, as an interval: percentiles over sets drawn with replacement. One set alone: its
 /// own root twice.
 [[nodiscard]] Interval root_mean_interval(const SquaredErrors& sets, std::size_t column, std::uint64_t seed);
 

@@ -34,6 +34,8 @@ struct HitRow {
     MedianInterval of_first;  // time over that of the family's first row, round by round
     bool on_front = false;    // of the faults of its family
 
+    /// Lost rays though the method has to lose none.
+    [[nodiscard]] bool at_fault() const { return method.loses_nothing() && missed + wrong > 0; }
     [[nodiscard]] double per_million() const { return n > 0 ? 1e6 * double(missed + wrong) / double(n) : 0; }
 };
 

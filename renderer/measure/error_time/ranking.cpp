@@ -36,4 +36,16 @@ double kendall_tau(std::span<const double> x, std::span<const double> y) {
     return untied_x > 0 && untied_y > 0 ? agreeing / std::sqrt(untied_x * untied_y) : 0;
 }
 
+RankCorrelation rank_correlation(std::span<const double> x, std::span<const double> y, std::uint64_t seed) {
+    const auto tau_of_draw = [&](Random& random) {
+        std::vector<double> drawn_x, drawn_y;
+        for (const std::size_t place : drawn_again(std::min(x.size(), y.size()), random)) {
+            drawn_x.push_back(x[place]);
+            drawn_y.push_back(y[place]);
+        }
+        return kendall_tau(drawn_x, drawn_y);
+    };
+    return {kendall_tau(x, y), bootstrap_interval(seed, tau_of_draw)};
+}
+
 }  // namespace kd

@@ -1,8 +1,11 @@
 // Which of several methods are worth having, and whether two orders agree.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
+
+#include "renderer/measure/error_time/bootstrap.h"
 
 namespace kd {
 
@@ -18,5 +21,13 @@ struct TimeAndError {
 /// Kendall's rank correlation tau-b of pairs (x[i], y[i]): 1 where both order alike, -1 where they order opposite ways,
 /// 0 where one is constant or fewer than two pairs are there.
 [[nodiscard]] double kendall_tau(std::span<const double> x, std::span<const double> y);
+
+/// The same with its interval over pairs drawn with replacement.
+struct RankCorrelation {
+    double tau = 0;
+    Interval interval;
+};
+[[nodiscard]] RankCorrelation rank_correlation(std::span<const double> x, std::span<const double> y,
+                                               std::uint64_t seed);
 
 }  // namespace kd

@@ -1,12 +1,11 @@
 #include "renderer/measure/error_time/tree_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/measure/error_time/break_even.h"
 #include "renderer/measure/error_time/lines.h"
-#include "renderer/measure/error_time/ranking.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {
@@ -16,6 +15,7 @@ namespace {
 constexpr std::array leaf_sizes{1, 2, 8};
 constexpr std::array other_bins{4, 8, 16, 64, 256};
 constexpr std::string_view best_builder = "exact";
+constexpr std::size_t line_sets = 40;  // whose spread gives the intervals
 
 struct Stopped {};
 
@@ -93,7 +93,10 @@ class TreeRun {
                                    }});
         }
         const auto timed = time_in_turn(contestants, rounds_within(task_.build_seconds));
-        for (std::size_t i = 0; i < timed.size(); ++i) report_.rows[i].build = timed[i].total();
+        for (std::size_t i = 0; i < timed.size(); ++i) {
+            report_.rows[i].build = timed[i].total();
+            build_samples_.push_back(timed[i].ms());
+        }
     }
 
     void count_cells(std::size_t i, const PinholeCamera& camera) {
@@ -104,7 +107,14 @@ class TreeRun {
         const std::vector<Ray> lines = uniform_lines(trees_[i].bounds, task_.lines, random);
         const WalkScene scene(task_.scene, trees_[i]);
         const double traversal = double(task_.build.traversal_cost), test = double(task_.build.intersection_cost);
-        row.lines = pass_cells(scene, lines, traversal, test);
+        std::vector<PassedCells> sets;
+        const std::size_t count = std::min(line_sets, lines.size());
+        for (std::size_t set = 0; set < count; ++set) {
+            const std::size_t from = set * lines.size() / count, to = (set + 1) * lines.size() / count;
+            sets.push_back(pass_cells(scene, std::span(lines).subspan(from, to - from), traversal, test));
+        }
+        row.lines = sum_of(sets);
+        row.line_ratios = line_ratios(sets, row.stats, task_.seed);
         TraceConfig counted = task_.trace;
         counted.counters = true;
         Frame frame(task_.width, task_.height);
@@ -153,6 +163,8 @@ class TreeRun {
         return std::size_t(least - report_.rows.begin());
     }
 
+    [[nodiscard]] TreeRounds rounds_of(std::size_t i) const { return {build_samples_[i], frame_samples_[i]}; }
+
     void compare() {
         report_.reference = reference_row();
         const TreeRow best = report_.rows[report_.reference];
@@ -163,6 +175,8 @@ class TreeRun {
             row.frame_ratio = ratio_interval(frame_samples_[i], frame_samples_[report_.reference]);
             row.break_even_frames =
                 break_even(row.build.median_ms, best.build.median_ms, best.frame.median_ms, row.frame_ratio);
+            if (row.break_even_frames)
+                row.break_even_interval = break_even_interval(rounds_of(i), rounds_of(report_.reference), task_.seed);
             all.push_back({row.build.median_ms, row.frame.median_ms});
         }
         const std::vector<bool> front = pareto_front(all);
@@ -176,12 +190,12 @@ class TreeRun {
             predicted.push_back(row.stats.sah_cost);
             frames.push_back(row.frame.median_ms);
         }
-        report_.frame_tau = kendall_tau(predicted, frames);
+        report_.frame_tau = rank_correlation(predicted, frames, task_.seed);
         for (std::size_t pass = 0; pass < pass_count; ++pass) {
             if (report_.rays[pass] == 0) continue;
             std::vector<double> costs;
             for (const TreeRow& row : report_.rows) costs.push_back(row.cost_per_ray[pass]);
-            report_.tau[pass] = kendall_tau(predicted, costs);
+            report_.tau[pass] = rank_correlation(predicted, costs, task_.seed);
         }
     }
 
@@ -191,7 +205,7 @@ class TreeRun {
     std::stop_token stop_;
     std::vector<BuildConfig> configs_;
     std::vector<KdTree> trees_;
-    std::vector<std::vector<double>> frame_samples_;  // ms, by row and round
+    std::vector<std::vector<double>> build_samples_, frame_samples_;  // ms, by row and round
 };
 
 }  // namespace
@@ -200,28 +214,20 @@ std::string TreeRow::name() const {
     return fmt::format("{}{}, leaves of {}", builder, bins > 0 ? fmt::format(", {} bins", bins) : "", leaf_size);
 }
 
-double TreeRow::line_cost_ratio() const { return ratio(lines.mean_cost(), stats.sah_cost); }
-double TreeRow::line_interior_ratio() const {
-    return ratio(lines.interior / double(std::max<std::int64_t>(lines.rays, 1)), stats.expected_interior_visits);
-}
-double TreeRow::line_test_ratio() const {
-    return ratio(lines.tests / double(std::max<std::int64_t>(lines.rays, 1)), stats.expected_triangle_tests);
-}
-
-double TreeRow::line_error() const {
-    const auto off = [](double ratio) { return std::abs(ratio - 1); };
-    return std::max({off(line_cost_ratio()), off(line_interior_ratio()), off(line_test_ratio())});
-}
-
 double TreeReport::line_error() const {
     double most = 0;
-    for (const TreeRow& row : rows) most = std::max(most, row.line_error());
+    for (const TreeRow& row : rows) most = std::max(most, row.line_ratios.error());
     return most;
 }
 
-std::optional<double> break_even(double build_a, double build_b, double frame_b, const MedianInterval& ratio) {
-    if (verdict_of(ratio) != RatioVerdict::above) return std::nullopt;
-    return std::max(0.0, (build_b - build_a) / (frame_b * (ratio.median - 1)));
+LineVerdict TreeReport::line_verdict() const {
+    LineVerdict verdict = LineVerdict::right;
+    for (const TreeRow& row : rows) {
+        const LineVerdict one = row.line_ratios.verdict();
+        if (one == LineVerdict::wrong) return one;
+        if (one == LineVerdict::open) verdict = one;
+    }
+    return verdict;
 }
 
 TreeReport report_trees(const TreeTask& task, const std::function<void(float, const std::string&)>& progress,

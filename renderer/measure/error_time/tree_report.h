@@ -11,7 +11,8 @@
 
 #include "renderer/kdtree/build.h"
 #include "renderer/kdtree/stats.h"
-#include "renderer/measure/error_time/fit.h"
+#include "renderer/measure/error_time/line_ratios.h"
+#include "renderer/measure/error_time/ranking.h"
 #include "renderer/measure/error_time/walks.h"
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
@@ -38,6 +39,7 @@ struct TreeRow {
     TreeStats stats;
     TimeSummary build, frame;  // ms
     PassedCells lines;         // uniform ones that nothing stops
+    LineRatios line_ratios;    // what they met over what was predicted
     /// t_t * interior visits + t_i * triangle tests per ray, over passes whose rays there are; 0 for others.
     std::array<double, pass_count> cost_per_ray{};
     bool cap_hit = false;
@@ -48,45 +50,32 @@ struct TreeRow {
     /// Frames after which the reference's longer build has paid; none where the interval of the ratio does not lie
     /// above 1.
     std::optional<double> break_even_frames;
+    Interval break_even_interval;
     bool on_front = false;  // of build time and frame time
 
     [[nodiscard]] std::string name() const;  // "paper, leaves of 2", "binned, 8 bins, leaves of 2"
-    /// Measured over predicted, per uniform line.
-    [[nodiscard]] double line_cost_ratio() const;
-    [[nodiscard]] double line_interior_ratio() const;
-    [[nodiscard]] double line_test_ratio() const;
-    /// The largest distance of these three from 1.
-    [[nodiscard]] double line_error() const;
 };
 
 struct TreeReport {
-    /// Counted over predicted is off from 1 by no more where the cost is computed rightly: chance over the lines.
-    static constexpr double most_line_error = 0.05;
-
     std::vector<TreeRow> rows;
     std::size_t reference =
         0;             // row: `exact` with the default leaves where there is such a builder, else the least SAH cost
     RayCounts rays{};  // of a frame, by pass
     /// Kendall's tau between the predicted cost and each pass's cost per ray, over the rows; none without rays.
-    std::array<std::optional<double>, pass_count> tau;
-    double frame_tau = 0;  // the same with the time of a frame
+    std::array<std::optional<RankCorrelation>, pass_count> tau;
+    RankCorrelation frame_tau;  // the same with the time of a frame
     int width = 0, height = 0;
     bool complete = false;
 
     /// The largest of the rows.
     [[nodiscard]] double line_error() const;
-    [[nodiscard]] bool lines_agree() const { return line_error() <= most_line_error; }
+    /// Wrong where a row is, else open where one is.
+    [[nodiscard]] LineVerdict line_verdict() const;
 };
 
 /// `progress` gets the fraction done and what runs. Incomplete where stopped.
 [[nodiscard]] TreeReport report_trees(const TreeTask& task,
                                       const std::function<void(float, const std::string&)>& progress = {},
                                       std::stop_token stop = {});
-
-/// n* = (build_b - build_a) / (frame_a - frame_b), all in one unit, with frame_a = frame_b * ratio: from so many frames
-/// on the tree b, slower to build, is the better choice. The ratio is that of the rounds, since medians of two rows of
-/// times may stand the other way round. None where its interval does not lie above 1; 0 where b is no slower to build.
-[[nodiscard]] std::optional<double> break_even(double build_a, double build_b, double frame_b,
-                                               const MedianInterval& ratio);
 
 }  // namespace kd

@@ -28,6 +28,8 @@ struct HitMethod {
 
     /// "watertight, double, as-published"; the traversal is not in it.
     [[nodiscard]] std::string family_name() const;
+    /// What the watertight test and the robust rules promise together.
+    [[nodiscard]] bool loses_nothing() const { return test == TriangleTest::woop && rules == Rules::robust; }
     bool operator==(const HitMethod&) const = default;
 };
 

@@ -24,10 +24,4 @@ struct PaperClaim {
 /// the shaders ran on the CPU, with the number told all the same.
 [[nodiscard]] std::vector<PaperClaim> judge_claims(const PaperResults& results);
 
-/// Of 4.1, carried on beyond the paper's sizes: how much the time grows from 9K to 81K triangles, over how much it
-/// grows from 1K to 9K, round by round; 0 in a round in which it does not grow from 1K to 9K.
-[[nodiscard]] MedianInterval growth(const PaperResults& results, PaperMethod method);
-/// The same if the time grew with `f` of the number of triangles.
-[[nodiscard]] double growth_of(const PaperResults& results, double (*f)(double));
-
 }  // namespace kd
