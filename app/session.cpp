@@ -21,12 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool names_gltf(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
-}
-
 std::string known_scenes() {
     std::string list;
     for (const ProceduralScene& scene : procedural_scenes())
@@ -60,6 +54,12 @@ FlatScene shown_file(const fs::path& file) {
 }
 
 }  // namespace
+
+bool names_gltf(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
 
 std::string contents_text(const FlatScene& scene) {
     return fmt::format("{}, {}, {}, {}", counted(scene.triangles.size(), "triangle"),

@@ -354,6 +354,8 @@ TEST(Export, NamesCountUpOverAllKinds) {
     EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-2.png");
     std::ofstream(folder / "kdscope-3.png") << "x";
     EXPECT_EQ(next_file(folder, ".json").filename(), "kdscope-2.json");
+    std::ofstream(folder / "kdscope-2.session.json") << "x";
+    EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-4.png");
 }
 
 TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {
