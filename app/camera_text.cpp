@@ -29,7 +29,7 @@ Camera parse_camera(const std::string& text) {
     } catch (const Json::exception&) {
         throw refused;
     }
-    if (!is_valid(camera)) throw refused;
+    if (!is_valid(camera) || camera.up == Vec3(0)) throw refused;  // as options and session files are
     return camera;
 }
 

@@ -21,12 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool names_gltf(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
-}
-
 /// The file meant: as given, or a scene shipped under this name.
 fs::path scene_file(const std::string& name) {
     std::error_code error;
@@ -59,6 +53,12 @@ std::string known_scenes() {
     list += fmt::format(", {}CASE", stress_prefix);
     for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
     return list;
+}
+
+bool names_gltf(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
 }
 
 std::string contents_text(const FlatScene& scene) {

@@ -1,6 +1,7 @@
 // Everything a person has chosen. The window edits it, the command line fills it, a picture is made from it alone.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ struct Session {
 
 /// Every scene that there is by name, to find the one meant by a mistyped `name`: "ball:900" for "baal:900".
 [[nodiscard]] std::vector<std::string> scenes_like(const std::string& name);
+
+/// True where `path` reads like a glTF file.
+[[nodiscard]] bool names_gltf(const std::filesystem::path& path);
 
 /// True where `name` reads like a scene, whether or not it can be loaded.
 [[nodiscard]] bool names_scene(const std::string& name);

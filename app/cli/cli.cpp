@@ -16,6 +16,7 @@
 #include "app/cli/printable_stream.h"
 #include "app/commands/commands.h"
 #include "app/session.h"
+#include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/io/printable.h"
@@ -45,6 +46,7 @@ std::string scene_list() {
     for (const auto& file : shipped_scenes())
         entries.push_back({file.filename().string(), "A glTF scene that comes with the program."});
     entries.push_back({"FILE.gltf, FILE.glb", "Any glTF 2.0 file."});
+    entries.push_back({"FILE.session.json", "For view and render: a session that the window saved, with its scene."});
     return help_list("Scenes", entries);
 }
 
@@ -75,7 +77,7 @@ void supply_command(std::vector<std::string>& arguments) {
     const auto is_command = [&](const Command& command) { return command.name == first; };
     if (std::ranges::any_of(commands(), is_command) || first == "-h" || first == "--help" || first == "--version")
         return;
-    if (!arguments.empty() && !first.starts_with('-') && !names_scene(first)) {
+    if (!arguments.empty() && !first.starts_with('-') && !names_scene(first) && !names_session(first)) {
         std::string known;
         std::vector<std::string> meant = scenes_like(first);
         for (const Command& command : commands()) {

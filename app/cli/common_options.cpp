@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "app/cli/typed_options.h"
+#include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/io/printable.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/units.h"
 
@@ -12,49 +14,19 @@ namespace kd {
 
 namespace {
 
-constexpr int largest_side = 16384;
-
-std::vector<NamedValue<Traversal>> traversal_names() {
-    std::vector<NamedValue<Traversal>> names;
-    for (const TraversalInfo& traversal : traversals()) names.push_back({std::string(traversal.name), traversal.id});
-    return names;
-}
-
 /// "textures,normals": names of features, separated by commas.
 FeatureSet parse_features(const std::string& text) {
-    std::vector<NamedValue<Feature>> known;
-    std::vector<std::string> names;
-    for (const FeatureInfo& feature : features()) {
-        known.push_back({std::string(feature.name), feature.id});
-        names.emplace_back(feature.name);
-    }
-    FeatureSet chosen;
+    const std::vector<NamedValue<Feature>> known = choices::features();
+    FeatureSet features;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string name = text.substr(begin, end - begin);
-        const auto found = std::ranges::find(known, name, &NamedValue<Feature>::name);
-        if (found == known.end())
-            refuse(
-                fmt::format("unknown feature '{}'{}; known: {}", name, did_you_mean(name, names), list_names(known)));
-        chosen.set(found->value, true);
+        features.set(chosen(known, text.substr(begin, end - begin), "feature"), true);
         begin = end + 1;
     }
-    return chosen;
-}
-
-std::vector<NamedValue<std::string>> builder_names() {
-    std::vector<NamedValue<std::string>> names;
-    for (const Builder& builder : builders()) names.push_back({std::string(builder.name), std::string(builder.name)});
-    return names;
+    return features;
 }
 
 }  // namespace
-
-std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ? "cpu" : "gl-fragment"; }
-
-std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "working" : "as-published"; }
-
-std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
 
 Session CommonOptions::session_for(const std::string& scene) const {
     Session chosen = session;
@@ -86,30 +58,25 @@ CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& o) {
 
 void add_shading_options(CLI::App& app, CommonOptions& o) {
     TraceConfig& trace = o.session.trace;
-    const std::vector<NamedValue<LeafLists>> lists{{"references", LeafLists::references},
-                                                   {"duplicated", LeafLists::duplicated}};
-    const std::vector<NamedValue<EarlyZ>> culling{{"working", EarlyZ::working}, {"as-published", EarlyZ::as_published}};
     std::vector<CLI::Option*> all{
-        add_choice(app, "--leaf-lists", trace.leaf_lists, lists,
+        add_choice(app, "--leaf-lists", trace.leaf_lists, choices::leaf_lists(),
                    "Leaves hold triangle numbers or vertex copies [references]"),
-        add_choice(app, "--early-z", o.session.early_z, culling,
+        add_choice(app, "--early-z", o.session.early_z, choices::early_z(),
                    "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
-        add_number<int>(app, "--short-stack", trace.short_stack, 1, max_short_stack,
-                        fmt::format("Entries that traversal short-stack keeps [{}]", trace.short_stack)),
+        add_number(app, "--short-stack", trace.short_stack, limits::short_stack,
+                   fmt::format("Entries that traversal short-stack keeps [{}]", trace.short_stack)),
         app.add_flag_callback(
             "--plain-ropes", [&trace] { trace.optimised_ropes = false; },
             "Ropes lead to the sibling across the plane, not to the smallest cell behind the face"),
         app.add_flag("--eye-leaf", trace.eye_leaf,
                      "With ropes, primary rays begin in the leaf that the camera is in, not at the root"),
-        add_number<int>(
-            app, "--entry-tile", trace.entry_tile, 0, 1024,
-            "Primary rays begin at the entry point of their tile of so many pixels each way; 0 is the root"),
+        add_number(app, "--entry-tile", trace.entry_tile, limits::entry_tile,
+                   "Primary rays begin at the entry point of their tile of so many pixels each way; 0 is the root"),
         add_shadows_option(app, o),
-        add_number<int>(app, "--reflection-depth", trace.reflection_depth, 0, 64,
-                        fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
-        add_number<float>(
-            app, "--min-contribution", trace.least_contribution, 0.0f, 1.0f,
-            fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
+        add_number(app, "--reflection-depth", trace.reflection_depth, limits::reflection_depth,
+                   fmt::format("Mirror bounces [{}]", trace.reflection_depth)),
+        add_number(app, "--min-contribution", trace.least_contribution, limits::share,
+                   fmt::format("Mirror rays that count less (0..1) are not followed [{}]", trace.least_contribution)),
         add_text_option(app, "--force", "NAMES",
                         "Keeps features that the scene does not need; render --needs lists them",
                         [&trace](const std::string& text) { trace.forced = parse_features(text); }),
@@ -121,31 +88,28 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
     BuildConfig& build = o.session.build;
     const auto text = [](const char* what, auto value) { return fmt::format("{} [{}]", what, value); };
     std::vector<CLI::Option*> all{
-        add_choice<std::string>(app, "--builder", o.builder, builder_names(),
+        add_choice<std::string>(app, "--builder", o.builder, choices::builders(),
                                 text("How the tree is built", defaults.builder)),
-        add_number<float>(app, "--traversal-cost", build.traversal_cost, 0.0f, 1e6f,
-                          text("Cost t_t of visiting an interior node", build.traversal_cost)),
-        add_number<float>(app, "--intersection-cost", build.intersection_cost, 0.0f, 1e6f,
-                          text("Cost t_i of one triangle test", build.intersection_cost)),
-        add_number<float>(
-            app, "--empty-bonus", build.empty_bonus, 0.0f, 1.0f,
-            text("b_e: fraction of the intersection cost forgiven where a child is empty", build.empty_bonus)),
-        add_number<float>(app, "--empty-bonus-gate", build.empty_bonus_gate, 0.0f, 1.0f,
-                          text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
-                               build.empty_bonus_gate)),
-        add_number<float>(
-            app, "--empty-cut", build.empty_cut, 0.0f, 1.0f,
-            text("Empty parts of a cell from this fraction on are cut off first; 0 is never", build.empty_cut)),
-        add_number<int>(app, "--leaf-size", build.leaf_size, 1, 1 << 20,
-                        text("Nodes of at most N triangles become leaves", build.leaf_size)),
-        add_number<int>(app, "--max-depth", build.max_depth, 0, max_tree_depth,
-                        text("Depth limit; 0 is 8 + 1.6 log2(triangles)", build.max_depth)),
-        add_number<int>(app, "--bad-refines", build.bad_refines, 0, max_tree_depth,
-                        text("Splits on one path that may cost more than they save", build.bad_refines)),
-        add_number<float>(app, "--reference-cap", build.reference_cap, 1.0f, 1e6f,
-                          text("Most leaf references per triangle", build.reference_cap)),
-        add_number<int>(app, "--bins", build.bins, fewest_bins, most_bins,
-                        text("Bins on each axis of builder binned", build.bins)),
+        add_number(app, "--traversal-cost", build.traversal_cost, limits::cost,
+                   text("Cost t_t of visiting an interior node", build.traversal_cost)),
+        add_number(app, "--intersection-cost", build.intersection_cost, limits::cost,
+                   text("Cost t_i of one triangle test", build.intersection_cost)),
+        add_number(app, "--empty-bonus", build.empty_bonus, limits::share,
+                   text("b_e: fraction of the intersection cost forgiven where a child is empty", build.empty_bonus)),
+        add_number(app, "--empty-bonus-gate", build.empty_bonus_gate, limits::share,
+                   text("Bonus only from this fraction of the node's extent on; 0 is the paper's rule",
+                        build.empty_bonus_gate)),
+        add_number(app, "--empty-cut", build.empty_cut, limits::share,
+                   text("Empty parts of a cell from this fraction on are cut off first; 0 is never", build.empty_cut)),
+        add_number(app, "--leaf-size", build.leaf_size, limits::leaf_size,
+                   text("Nodes of at most N triangles become leaves", build.leaf_size)),
+        add_number(app, "--max-depth", build.max_depth, limits::depth,
+                   text("Depth limit; 0 is 8 + 1.6 log2(triangles)", build.max_depth)),
+        add_number(app, "--bad-refines", build.bad_refines, limits::depth,
+                   text("Splits on one path that may cost more than they save", build.bad_refines)),
+        add_number(app, "--reference-cap", build.reference_cap, limits::reference_cap,
+                   text("Most leaf references per triangle", build.reference_cap)),
+        add_number(app, "--bins", build.bins, limits::bins, text("Bins on each axis of builder binned", build.bins)),
         app.add_flag_callback(
             "--box-leaves", [&build] { build.trim_leaves = false; },
             "Leaves name all triangles whose box reaches the cell, as the paper's do, not only whose surface does"),
@@ -154,19 +118,16 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
 }
 
 void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
-    const std::vector<NamedValue<TracerKind>> tracers{{"cpu", TracerKind::cpu},
-                                                      {"gl-fragment", TracerKind::gl_fragment}};
     std::vector<NamedValue<ContextKind>> contexts;
     for (const ContextKind kind : {ContextKind::automatic, ContextKind::osmesa, ContextKind::egl})
         contexts.push_back({std::string(name_of(kind)), kind});
-    std::vector<NamedValue<Rules>> rules;
-    for (const RulesInfo& r : all_rules()) rules.push_back({std::string(r.name), r.id});
     const auto text = [](const char* what, std::string_view value) { return fmt::format("{} [{}]", what, value); };
     std::vector<CLI::Option*> all{
-        add_choice(app, "--traversal", o.traversal, traversal_names(),
+        add_choice(app, "--traversal", o.traversal, choices::traversals(),
                    text("How rays walk the tree", defaults.traversal)),
-        add_choice(app, "--rules", o.session.trace.rules, rules, "How a walk decides between children [robust]"),
-        add_choice(app, "--tracer", o.tracer, tracers,
+        add_choice(app, "--rules", o.session.trace.rules, choices::rules(),
+                   "How a walk decides between children [robust]"),
+        add_choice(app, "--tracer", o.tracer, choices::tracers(),
                    text("What traces: the CPU, or GLSL fragment passes", defaults.tracer)),
         add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),
     };
@@ -179,7 +140,8 @@ void add_camera_options(CLI::App& app, CommonOptions& o) {
         add_text_option(app, flag, type, text, take)->group("Camera (the scene's own unless given)");
     };
     const auto angle = [](float degrees) {
-        if (!(degrees > 0.0f && degrees <= 179.9f)) refuse(fmt::format("{} is not an angle in (0, 179.9]", degrees));
+        if (!(degrees > limits::fov.low && limits::fov.hold(degrees)))
+            refuse(fmt::format("{} is not an angle in (0, {}]", degrees, limits::fov.high));
         return degrees;
     };
     const auto direction = [](Vec3 up) {
@@ -205,14 +167,14 @@ void add_camera_options(CLI::App& app, CommonOptions& o) {
 }
 
 void add_size_option(CLI::App& app, CommonOptions& o) {
-    add_pair(app, "--size", o.session.width, o.session.height, 1, largest_side,
+    add_pair(app, "--size", o.session.width, o.session.height, limits::side,
              fmt::format("Picture size in pixels [{}x{}]", o.session.width, o.session.height));
 }
 
 void add_machine_options(CLI::App& app, CommonOptions& o) {
-    add_number<int>(app, "--threads", o.session.threads, 0, 4096, "CPU threads; 0 is all [0]");
-    add_number<unsigned>(app, "--seed", o.session.seed, 0u, 4294967295u,
-                         fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
+    add_number(app, "--threads", o.session.threads, limits::threads, "CPU threads; 0 is all [0]");
+    add_number(app, "--seed", o.session.seed, limits::seed,
+               fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
 }
 
 void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults) {
@@ -250,9 +212,24 @@ std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naiv
     return wanted;
 }
 
+Session starting_session(const CLI::App& app, const CommonOptions& options, const std::vector<std::string>& allowed) {
+    const std::string& name = options.scenes.front();
+    if (!names_session(name)) return options.session_for(name);
+    std::string beside;
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string given = option->get_name();
+        const bool fills = !option->get_lnames().empty() && std::ranges::find(allowed, given) == allowed.end();
+        if (fills && option->count() > 0) beside += (beside.empty() ? "" : ", ") + given;
+    }
+    if (!beside.empty())
+        throw InputError(
+            fmt::format("{}: the session file says that already; leave it out, or change {}", beside, printable(name)));
+    return read_session(name);
+}
+
 FlatScene open_scene(const CommonOptions& options, Session& session) {
     FlatScene scene = load_scene(session.scene, session.seed);
-    Camera camera = to_scene_units(scene, scene.camera);
+    Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);
     camera.target = options.camera.target.value_or(camera.target);
     camera.up = options.camera.up.value_or(camera.up);
@@ -260,7 +237,7 @@ FlatScene open_scene(const CommonOptions& options, Session& session) {
     if (!is_valid(camera))
         throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
     const CameraOptions& given = options.camera;
-    if (given.eye || given.target || given.up || given.fov_y_degrees) {
+    if (session.camera || given.eye || given.target || given.up || given.fov_y_degrees) {
         scene.camera = to_internal(scene, camera);
         session.camera = scene.camera;
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/choices.h"
 #include "app/session.h"
 #include "renderer/gl/gl_tracer.h"
 
@@ -68,17 +69,17 @@ struct WantedMachines {
 };
 [[nodiscard]] WantedMachines wanted_machines(const CommonOptions& options);
 
-/// Loads the scene of `session` and gives it the camera asked for. The session gets a camera where one was asked for.
-/// InputError.
+/// The session to begin with: `options.session_for(name)`, or where `name` is a session file the one that it holds.
+/// InputError where options are given beside such a file, but for those that are `allowed`.
+[[nodiscard]] Session starting_session(const CLI::App& app, const CommonOptions& options,
+                                       const std::vector<std::string>& allowed);
+
+/// Loads the scene of `session`, whose camera is in scene units so far, and gives it the camera asked for. The session
+/// gets a camera where it had one or one was asked for, in internal units. InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);
 
 /// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.
 /// `uses_all` where a command runs every tracer unless one is named. ContextError.
 void require_context(const CommonOptions& options, bool uses_all);
-
-/// "cpu", "gl-fragment".
-[[nodiscard]] std::string_view name_of(TracerKind tracer);
-[[nodiscard]] std::string_view name_of(LeafLists lists);
-[[nodiscard]] std::string_view name_of(EarlyZ early_z);
 
 }  // namespace kd

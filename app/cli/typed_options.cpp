@@ -43,17 +43,17 @@ Vec3 parse_vec3(const std::string& text) {
     return {v[0], v[1], v[2]};
 }
 
-void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, int low, int high,
+void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, Limits<int> limits,
               const std::string& text) {
-    add_text_option(app, flag, "WxH", text, [&first, &second, low, high](const std::string& given) {
+    add_text_option(app, flag, "WxH", text, [&first, &second, limits](const std::string& given) {
         const std::size_t cross = given.find('x');
         const auto part = [&](std::size_t from, std::size_t count) {
             return cross == std::string::npos ? std::nullopt : parse_number<int>(given.substr(from, count));
         };
         const std::optional<int> a = part(0, cross);
         const std::optional<int> b = part(cross + 1, std::string::npos);
-        if (!a || !b || *a < low || *a > high || *b < low || *b > high)
-            refuse(fmt::format("'{}' is not WIDTHxHEIGHT with {} to {} pixels each", given, low, high));
+        if (!a || !b || !limits.hold(*a) || !limits.hold(*b))
+            refuse(fmt::format("'{}' is not WIDTHxHEIGHT with {} to {} pixels each", given, limits.low, limits.high));
         first = *a;
         second = *b;
     });

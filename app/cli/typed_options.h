@@ -12,7 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/cli/closest_name.h"
+#include "app/choices.h"
+#include "app/limits.h"
 #include "renderer/geometry/shared_types.h"
 
 namespace kd {
@@ -33,32 +34,22 @@ CLI::Option* add_text_option(CLI::App& app, const std::string& flag, const std::
 
 [[noreturn]] void refuse(const std::string& reason);
 
-/// A number in [low, high].
+/// A number within limits.
+template <class T, class Target>
+CLI::Option* add_number(CLI::App& app, const std::string& flag, Target& target, Limits<T> limits,
+                        const std::string& text) {
+    return add_text_option(app, flag, std::integral<T> ? "N" : "X", text, [&target, limits](const std::string& given) {
+        const std::optional<T> value = parse_number<T>(given);
+        if (!value || !limits.hold(*value)) refuse(fmt::format("'{}' is not {}", given, limits.text()));
+        target = *value;
+    });
+}
+
+/// The same for limits that only this option has.
 template <class T, class Target>
 CLI::Option* add_number(CLI::App& app, const std::string& flag, Target& target, std::type_identity_t<T> low,
                         std::type_identity_t<T> high, const std::string& text) {
-    return add_text_option(app, flag, std::integral<T> ? "N" : "X", text,
-                           [&target, low, high](const std::string& given) {
-                               const std::optional<T> value = parse_number<T>(given);
-                               if (!value || !(*value >= low && *value <= high))
-                                   refuse(fmt::format("'{}' is not a {} from {} to {}", given,
-                                                      std::integral<T> ? "whole number" : "number", low, high));
-                               target = *value;
-                           });
-}
-
-template <class T>
-struct NamedValue {
-    std::string name;
-    T value;
-};
-
-/// The names separated by ", ".
-template <class T>
-[[nodiscard]] std::string list_names(const std::vector<NamedValue<T>>& choices) {
-    std::string list;
-    for (const NamedValue<T>& choice : choices) list += (list.empty() ? "" : ", ") + choice.name;
-    return list;
+    return add_number(app, flag, target, Limits<T>{low, high}, text);
 }
 
 /// One of a few names.
@@ -66,24 +57,16 @@ template <class T, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& flag, Target& target, std::vector<NamedValue<T>> choices,
                         const std::string& text) {
     const std::string described = fmt::format("{}: {}", text, list_names(choices));
-    return add_text_option(app, flag, "NAME", described, [&target, choices](const std::string& given) {
-        for (const NamedValue<T>& choice : choices)
-            if (choice.name == given) {
-                target = choice.value;
-                return;
-            }
-        std::vector<std::string> names;
-        for (const NamedValue<T>& choice : choices) names.push_back(choice.name);
-        refuse(fmt::format("unknown value '{}'{}; known: {}", given, did_you_mean(given, names), list_names(choices)));
-    });
+    return add_text_option(app, flag, "NAME", described,
+                           [&target, choices](const std::string& given) { target = chosen(choices, given, "value"); });
 }
 
 /// Numbers separated by commas or spaces, all finite. Throws std::invalid_argument.
 [[nodiscard]] std::vector<float> parse_floats(const std::string& text);
 [[nodiscard]] Vec3 parse_vec3(const std::string& text);
 
-/// "512x384": two whole numbers in [low, high].
-void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, int low, int high,
+/// "512x384": two whole numbers within limits.
+void add_pair(CLI::App& app, const std::string& flag, int& first, int& second, Limits<int> limits,
               const std::string& text);
 
 }  // namespace kd

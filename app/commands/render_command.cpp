@@ -12,13 +12,13 @@
 #include "app/cli/help_format.h"
 #include "app/cli/idle_options.h"
 #include "app/cli/output_file.h"
-#include "app/cli/ray_choices.h"
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
 #include "app/fonts.h"
 #include "app/frame/rendering.h"
 #include "app/report/frame_summary.h"
 #include "app/report/needs_report.h"
+#include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
@@ -137,18 +137,26 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
 /// Whatever can be known to fail is told before the work.
 void check(const RenderOptions& o, const Session& session) {
     check_outputs({{"--output", o.output, ".png"}, {"--csv", o.csv}, {"--json", o.json}, {"--exr", o.exr}},
-                  {{"the scene's own file", session.scene}});
+                  {{"the scene's own file", session.scene}, {"the session's own file", o.scenes.front()}});
     // A map that can be made of one pixel can be made of all.
     if (session.view.show_map) (void)compute_map(Frame(1, 1), session.view.map);
-    require_context(o, false);
+    if (session.tracer == TracerKind::gl_fragment) (void)Context::create(o.context.value_or(ContextKind::automatic));
+}
+
+Session session_of(const CLI::App& app, const RenderOptions& o) {
+    Session session = starting_session(
+        app, o,
+        {"--output", "--csv", "--json", "--exr", "--no-legend", "--needs", "--rounds", "--context", "--count-shaded"});
+    if (names_session(o.scenes.front())) return session;
+    session.view.show_map = o.map.has_value();
+    if (o.map) session.view.map.map = *o.map;
+    session.view.overlay.hidden_line = !o.see_through;
+    return session;
 }
 
 int run(const CLI::App& app, const RenderOptions& options, CommandContext& context) {
-    Session session = options.session_for(options.scenes.front());
-    ViewConfig& view = session.view;
-    view.show_map = options.map.has_value();
-    if (options.map) view.map.map = *options.map;
-    view.overlay.hidden_line = !options.see_through;
+    const Session session = session_of(app, options);
+    const ViewConfig& view = session.view;
     if (options.output.empty() && !options.needs)
         throw InputError(
             "--output is required: -o FILE.png, or --needs for the list alone (see kdscope render --help)");
@@ -184,18 +192,6 @@ int run(const CLI::App& app, const RenderOptions& options, CommandContext& conte
     return exit_ok;
 }
 
-std::vector<NamedValue<std::string>> map_names() {
-    std::vector<NamedValue<std::string>> names;
-    for (const MapInfo& map : maps()) names.push_back({std::string(map.name), std::string(map.name)});
-    return names;
-}
-
-std::vector<NamedValue<std::string>> colormap_names() {
-    std::vector<NamedValue<std::string>> names;
-    for (const Colormap& map : colormaps()) names.push_back({std::string(map.name), std::string(map.name)});
-    return names;
-}
-
 void add_range(CLI::App& app, HeatmapConfig& heat) {
     add_text_option(app, "--range", "A:B", "Values at the ends of the colours; automatic unless given",
                     [&heat](const std::string& text) {
@@ -214,23 +210,21 @@ void add_range(CLI::App& app, HeatmapConfig& heat) {
 void add_map_options(CLI::App& app, RenderOptions& o) {
     ViewConfig& view = o.session.view;
     view.heat.opacity = 1.0f;
-    add_choice(app, "--map", o.map, map_names(), "Shows a number of every pixel in colours")->group("Map");
-    add_choice(app, "--rays", view.map.rays, ray_choices(), "Whose numbers [primary]")->group("Map");
-    add_choice(app, "--colormap", view.heat.colormap, colormap_names(), "Colours [viridis]")->group("Map");
+    add_choice(app, "--map", o.map, choices::maps(), "Shows a number of every pixel in colours")->group("Map");
+    add_choice(app, "--rays", view.map.rays, choices::rays(), "Whose numbers [primary]")->group("Map");
+    add_choice(app, "--colormap", view.heat.colormap, choices::colormaps(), "Colours [viridis]")->group("Map");
     app.add_flag("--log", view.heat.logarithmic, "Logarithmic scale")->group("Map");
     add_range(app, view.heat);
-    add_number<float>(app, "--opacity", view.heat.opacity, 0.0f, 1.0f, "Opacity over the image, 0..1 [1]")
-        ->group("Map");
-    add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, 1, 1024,
+    add_number(app, "--opacity", view.heat.opacity, limits::share, "Opacity over the image, 0..1 [1]")->group("Map");
+    add_pair(app, "--tile", view.map.tile_width, view.map.tile_height, limits::tile_side,
              fmt::format("Pixels that run in lockstep, for maps of groups [{}x{}]", view.map.tile_width,
                          view.map.tile_height));
     app.get_option("--tile")->group("Map");
-    std::vector<NamedValue<Schedule>> loops;
-    for (const ScheduleInfo& schedule : schedules()) loops.push_back({std::string(schedule.name), schedule.id});
-    add_choice(app, "--schedule", view.map.schedule, loops, "How groups share their steps [lockstep]")->group("Map");
+    add_choice(app, "--schedule", view.map.schedule, choices::schedules(), "How groups share their steps [lockstep]")
+        ->group("Map");
     app.add_flag("--overlay", view.overlay.show, "Draws the tree's splits over the image")->group("Overlay");
-    add_number<int>(app, "--overlay-depth", view.overlay.max_depth, 0, max_tree_depth,
-                    fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
+    add_number(app, "--overlay-depth", view.overlay.max_depth, limits::depth,
+               fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
         ->group("Overlay");
     app.add_flag("--see-through", o.see_through, "Also splits behind surfaces, faintly")->group("Overlay");
 }
@@ -277,6 +271,7 @@ Command render_command() {
                 "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n"
                 "  kdscope render rooms -o idle.png --map idle --schedule while-while --traversal restart\n"
                 "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n"
+                "  kdscope render kdscope-1.session.json -o again.png\n"
                 "  kdscope render cornell --needs --rounds 15 --tracer gl-fragment\n",
             declare};
 }

@@ -8,8 +8,8 @@
 #include "app/cli/counted.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/ray_choices.h"
 #include "app/cli/text_table.h"
+#include "app/cli/typed_options.h"
 #include "app/report/chart_files.h"
 #include "app/report/divergence_chart.h"
 #include "app/report/json_values.h"
@@ -159,8 +159,9 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
         ->group("Divergence");
     app.add_flag("--ballot", o.ballot, "Instead: lanes counted by the GPU itself against lanes computed")
         ->group("Divergence");
-    add_choice(app, "--rays", o.rays, ray_choices(), "Whose walks [all]")->group("Divergence");
-    add_pair(app, "--tile", o.tile_width, o.tile_height, 1, 1024, "Pixels of a group [widths from 4 to 1024]");
+    add_choice(app, "--rays", o.rays, choices::rays(), "Whose walks [all]")->group("Divergence");
+    add_pair(app, "--tile", o.tile_width, o.tile_height, limits::tile_side,
+             "Pixels of a group [widths from 4 to 1024]");
     app.get_option("--tile")->group("Divergence");
     app.add_option("--csv", o.csv, "Also all numbers as a table")->type_name("FILE")->group("Divergence");
     app.add_option("--svg", o.svg, "Also efficiency against width, a picture per table")

@@ -27,7 +27,7 @@ bool is_set(const char* variable) {
 }
 
 int run(const CLI::App& app, const CommonOptions& options, CommandContext& context) {
-    Session session = options.session_for(options.scenes.front());
+    Session session = starting_session(app, options, {"--size", "--context"});
     (void)environment_scale();  // what is wrong is told first, and before a window opens
     (void)open_scene(options, session);
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
@@ -41,8 +41,8 @@ int run(const CLI::App& app, const CommonOptions& options, CommandContext& conte
 
 #else
 
-int run(const CLI::App&, const CommonOptions& options, CommandContext&) {
-    Session session = options.session_for(options.scenes.front());
+int run(const CLI::App& app, const CommonOptions& options, CommandContext&) {
+    Session session = starting_session(app, options, {"--size", "--context"});
     (void)open_scene(options, session);  // a bad scene is told first
     throw NoDisplay(std::string("this build has no window") + instead);
 }
@@ -65,7 +65,8 @@ Command view_command() {
             "Examples:\n"
             "  kdscope\n"
             "  kdscope rooms --traversal restart\n"
-            "  kdscope view model.glb --builder paper\n",
+            "  kdscope view model.glb --builder paper\n"
+            "  kdscope kdscope-1.session.json\n",
             declare};
 }
 

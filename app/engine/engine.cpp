@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/limits.h"
 #include "renderer/io/printable.h"
 #include "renderer/measure/walk_recorder.h"
 #include "renderer/scene/units.h"
@@ -12,10 +13,9 @@ namespace kd {
 namespace {
 
 constexpr std::size_t most_messages = 20;
-constexpr int largest_side = 16384;  // of a picture: the smallest texture limit of machines met
 
 bool has_pixels(const Session& session) {
-    return session.width > 0 && session.height > 0 && session.width <= largest_side && session.height <= largest_side;
+    return limits::side.hold(session.width) && limits::side.hold(session.height);
 }
 
 /// Whether two sessions that agree in scene and tree need different frames.
@@ -71,6 +71,7 @@ void Engine::set_session(const Session& wanted) {
     ++state_.generation;
     const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
     if (scene_changed && !state_.loading.active) camera_before_load_ = before.camera;
+    if (scene_changed) opened_.reset();
     if (scene_changed)
         start_load();
     else if (next.build != before.build)

@@ -24,6 +24,12 @@
 
 namespace kd {
 
+/// Of a session from a file, until its scene is there.
+struct OpenedSession {
+    std::optional<Camera> camera;  // in scene units, which only the scene tells
+    Session before;                // to go back to
+};
+
 struct EngineOptions {
     OpenGl open_gl;              // called on the tracing thread; empty: no GPU
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
@@ -41,6 +47,9 @@ class Engine {
     /// Takes over what can be had of `next`: a camera that no picture can be made with, or an empty picture, is left as
     /// it was. What turns out to be impossible later (a missing file, say) comes back in state().session and a message.
     void set_session(const Session& next);
+    /// Takes over the session of a file, but for the picture's size. Where it cannot be read, or later its scene cannot
+    /// be had, everything stays or becomes as it was, with a message.
+    void open_session(const std::string& file);
     /// Pixels to read out; `pinned` also chooses the ray whose cells are shown, before `hovered`. `step`, from 0: the
     /// leaf to read of those that the pinned pixel's primary ray visits; the last one where there are not so many.
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned,
@@ -85,6 +94,8 @@ class Engine {
     void start_load();
     void finish_load(std::shared_ptr<const LoadedScene> loaded);
     void fail_load(const std::string& why);
+    void forget_refused();
+    void take_opened_camera(const FlatScene& scene);
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
     void start_trace();
@@ -116,6 +127,7 @@ class Engine {
     EngineState state_;
     std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
     std::optional<Camera> camera_before_load_;  // of the scene that a refused one gives way to
+    std::optional<OpenedSession> opened_;       // whose scene is being loaded
     TracedFrame traced_;                        // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
     std::optional<int> step_;

@@ -34,8 +34,7 @@ void Engine::start_load() {
     const unsigned seed = state_.session.seed;
     builder_.cancel();
     state_.building = {};
-    if (state_.refused) std::erase_if(state_.messages, [&](const Message& m) { return m.text == state_.refused->why; });
-    state_.refused.reset();
+    forget_refused();
     if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
         loader_.cancel();
         state_.loading = {};
@@ -67,6 +66,7 @@ void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
     scene_ = std::move(loaded);
     duels_.forget();  // a file of the same name may hold another scene now
+    take_opened_camera(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
     start_build();
 }
@@ -76,7 +76,9 @@ void Engine::fail_load(const std::string& why) {
     state_.loading = {};
     say(true, why);
     if (state_.world) {  // the scene before it is still there
-        Session back = state_.session;
+        Session back = opened_ ? opened_->before : state_.session;
+        back.width = state_.session.width;
+        back.height = state_.session.height;
         back.scene = state_.world->loaded->name;
         back.seed = state_.world->loaded->seed;
         back.camera = camera_before_load_;

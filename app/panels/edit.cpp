@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/engine/engine.h"
+#include "app/session_file.h"
 #include "app/window/camera_moves.h"
 #include "app/window/home_path.h"
 #include "renderer/measure/stability/stress_scene.h"
@@ -108,12 +109,24 @@ void choose_scene(Edit& edit, const std::string& scene) {
     refused.clear();
 }
 
+void open(Edit& edit, const std::string& name) {
+    if (names_session(name))
+        edit.session_file = name;
+    else
+        choose_scene(edit, name);
+}
+
+void remember_view(Edit& edit, const ViewConfig& view) {
+    if (is_heatmap(view.map.map)) edit.window.heatmap = view.map.map;
+    edit.window.logarithmic = view.heat.logarithmic;
+}
+
 void open_typed(Edit& edit) {
     WindowSettings& window = edit.window;
     if (window.scene_text.empty()) return;
     window.scene_asked = home_long(window.scene_text).string();
     window.scene_awaited = true;
-    if (edit.session.scene != window.scene_asked) choose_scene(edit, window.scene_asked);
+    if (edit.session.scene != window.scene_asked) open(edit, window.scene_asked);
 }
 
 void settle_typed(const EngineState& state, Edit& edit) {

@@ -80,6 +80,7 @@ enum class Action {
     export_window,   // with panels
     export_csv,
     export_json,
+    save_session,
     copy_camera,   // to the clipboard, as JSON
     paste_camera,  // from there
     copy_ray,      // the compared ray of the pinned or hovered pixel, as a table that trace reads
@@ -99,6 +100,7 @@ struct Edit {
     Session session;
     WindowSettings window;
     std::vector<Action> actions;
+    std::string session_file;              // to be opened; empty where none was asked for
     std::optional<PixelPosition> hovered;  // under the mouse
     std::string last_export;               // for people: the file written last
     std::string export_error;              // why the newest one was not; empty where it was
@@ -133,6 +135,10 @@ void toggle_log(Edit& edit);
 /// Why rays ended, of the rays that were given up most.
 void show_unfinished(const EngineState& state, Edit& edit);
 void choose_scene(Edit& edit, const std::string& scene);
+/// A scene by name or file, or a session file.
+void open(Edit& edit, const std::string& name);
+/// What the window keeps in mind of a view that panels and keys did not make.
+void remember_view(Edit& edit, const ViewConfig& view);
 /// Asks for the scene typed into SCENE. The text stays until that scene is there.
 void open_typed(Edit& edit);
 void settle_typed(const EngineState& state, Edit& edit);

@@ -28,6 +28,9 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     button("CSV", Action::export_csv, "A row per pixel: hit and every counter of every pass.");
     ImGui::SameLine();
     button("JSON", Action::export_json, "Settings, tree, times and counter totals.");
+    ImGui::SameLine();
+    button("session", Action::save_session,
+           "Everything chosen: drop the file onto the window, or open it in SCENE, to have it again. Key Ctrl S.");
     std::error_code error;
     const bool there = std::filesystem::is_directory(home_long(edit.window.folder), error);
     ImGui::AlignTextToFramePadding();

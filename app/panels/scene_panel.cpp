@@ -39,7 +39,7 @@ void draw_open(const EngineState& state, Edit& edit) {
     Places::note("open");
     widgets::hint(
         "Enter opens a scene by its name and number of triangles, such as ball:20000 or stress:T16=1e-4, or a "
-        ".gltf or .glb file by its path.");
+        ".gltf or .glb file by its path. Also a session that was saved.");
     if (entered) edits::open_typed(edit);
     if (refused.empty()) return;
     widgets::note(refused, theme::error);

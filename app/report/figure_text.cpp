@@ -81,12 +81,10 @@ std::string caption_of(const FigureFacts& f) {
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {
-    Json settings = json_of(session);
-    settings["view"] = json_of(view);
     return {{"Title", title},
             {"Description", caption},
             {"Software", fmt::format("kdscope {} ({})", build::version, build::commit)},
-            {"kdscope-settings", settings.dump(-1, ' ', false, Json::error_handler_t::replace)}};
+            {"kdscope-settings", settings_json(session, view).dump(-1, ' ', false, Json::error_handler_t::replace)}};
 }
 
 }  // namespace kd

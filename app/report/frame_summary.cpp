@@ -48,10 +48,8 @@ Json judged_json(const JudgedLayer& judged) {
 }  // namespace
 
 Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
-    Json settings = json_of(in_scene_units(s.session, s.scene));
-    settings["view"] = json_of(s.session.view);
     Json json{
-        {"settings", settings},
+        {"settings", settings_json(in_scene_units(s.session, s.scene), s.session.view)},
         {"scene", json_of(s.scene)},
         {"tree", json_of(s.stats)},
         {"renderer", s.renderer},

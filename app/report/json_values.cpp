@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
-#include "renderer/scene/needs.h"
+#include "app/session_fields.h"
 #include "renderer/scene/units.h"
 
 namespace kd {
@@ -14,17 +14,54 @@ namespace {
 
 Json json_of(Vec3 v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 
-Json names_of(FeatureSet forced) {
-    Json names = Json::array();
-    for (const FeatureInfo& feature : features())
-        if (forced.has(feature.id)) names.push_back(feature.name);
-    return names;
-}
+/// Writes the fields that it is shown (app/session_fields.h).
+class FieldWriter {
+  public:
+    Json json = Json::object();
+
+    void text(const char* key, const std::string& value) { json[key] = value; }
+    void flag(const char* key, bool value) { json[key] = value; }
+    void opposite(const char* key, bool value) { json[key] = !value; }
+    void point(const char* key, Vec3 value) { json[key] = json_of(value); }
+    template <class T>
+    void number(const char* key, T value, const Limits<T>&) {
+        if constexpr (std::is_floating_point_v<T>)
+            json[key] = json_number(value);
+        else
+            json[key] = value;
+    }
+    template <class T>
+    void choice(const char* key, const T& value, const std::vector<NamedValue<T>>& choices) {
+        json[key] = name_among(choices, value);
+    }
+    void set(const char* key, FeatureSet value, const std::vector<NamedValue<Feature>>& choices) {
+        json[key] = Json::array();
+        for (const auto& [name, feature] : choices)
+            if (value.has(feature)) json[key].push_back(name);
+    }
+    /// "automatic", or the ends; only a locked one has the key "locked".
+    void value_range(const char* key, const HeatmapConfig& heat) {
+        json[key] = heat.range_mode == RangeMode::automatic
+                        ? Json("automatic")
+                        : Json::array({json_number(heat.range_min), json_number(heat.range_max)});
+        if (heat.range_mode == RangeMode::locked) json["locked"] = true;
+    }
+    void camera(const char* key, const std::optional<Camera>& value) {
+        if (value) json[key] = kd::json_of(*value);
+    }
+    template <class Visit>
+    void object(const char* key, const Visit& visit) {
+        FieldWriter inner;
+        visit(inner);
+        json[key] = std::move(inner.json);
+    }
+};
 
 }  // namespace
 
 Json json_number(float value) {
     if (!std::isfinite(value)) return nullptr;
+    if (value == 0 && std::signbit(value)) return -0.0;  // of the text "-0" a whole number would be made
     return Json::parse(fmt::format("{}", value));
 }
 
@@ -37,70 +74,28 @@ std::string json_key(std::string_view name) {
 }
 
 Json json_of(const Camera& camera) {
-    return {{"eye", json_of(camera.eye)},
-            {"target", json_of(camera.target)},
-            {"up", json_of(camera.up)},
-            {"fov", json_number(camera.fov_y_degrees)}};
+    FieldWriter writer;
+    visit_camera(writer, camera);
+    return std::move(writer.json);
 }
 
-Json json_of(const BuildConfig& b) {
-    return {{"builder", b.builder},
-            {"traversal_cost", json_number(b.traversal_cost)},
-            {"intersection_cost", json_number(b.intersection_cost)},
-            {"empty_bonus", json_number(b.empty_bonus)},
-            {"empty_bonus_gate", json_number(b.empty_bonus_gate)},
-            {"leaf_size", b.leaf_size},
-            {"max_depth", b.max_depth},
-            {"empty_cut", json_number(b.empty_cut)},
-            {"bad_refines", b.bad_refines},
-            {"reference_cap", json_number(b.reference_cap)},
-            {"bins", b.bins},
-            {"trim_leaves", b.trim_leaves}};
+Json json_of(const BuildConfig& build) {
+    FieldWriter writer;
+    visit_build(writer, build);
+    return std::move(writer.json);
 }
 
-Json json_of(const ViewConfig& view) {
-    Json json = Json::object();
-    if (view.show_map) {
-        const HeatmapConfig& heat = view.heat;
-        json["map"] = {{"name", view.map.map},
-                       {"rays", json_key(ray_names[std::size_t(view.map.rays)])},
-                       {"tile_width", view.map.tile_width},
-                       {"tile_height", view.map.tile_height},
-                       {"schedule", info(view.map.schedule).name},
-                       {"colormap", heat.colormap},
-                       {"log", heat.logarithmic},
-                       {"opacity", json_number(heat.opacity)}};
-        json["map"]["range"] = heat.range_mode == RangeMode::automatic
-                                   ? Json("automatic")
-                                   : Json::array({json_number(heat.range_min), json_number(heat.range_max)});
-    }
-    if (view.overlay.show)
-        json["overlay"] = {{"depth", view.overlay.max_depth}, {"see_through", !view.overlay.hidden_line}};
-    return json;
+Json json_of(const Session& session) {
+    FieldWriter writer;
+    visit_session(writer, session);
+    return std::move(writer.json);
 }
 
-Json json_of(const Session& s) {
-    Json json{{"scene", s.scene},
-              {"seed", s.seed},
-              {"width", s.width},
-              {"height", s.height},
-              {"tracer", name_of(s.tracer)},
-              {"early_z", name_of(s.early_z)},
-              {"traversal", info(s.trace.traversal).name},
-              {"rules", info(s.trace.rules).name},
-              {"leaf_lists", name_of(s.trace.leaf_lists)},
-              {"short_stack", s.trace.short_stack},
-              {"optimised_ropes", s.trace.optimised_ropes},
-              {"eye_leaf", s.trace.eye_leaf},
-              {"entry_tile", s.trace.entry_tile},
-              {"shadows", s.trace.shadows},
-              {"reflection_depth", s.trace.reflection_depth},
-              {"min_contribution", json_number(s.trace.least_contribution)},
-              {"forced", names_of(s.trace.forced)},
-              {"threads", s.threads},
-              {"build", json_of(s.build)}};
-    if (s.camera) json["camera"] = json_of(*s.camera);
-    return json;
+Json settings_json(const Session& session, const ViewConfig& view) {
+    FieldWriter writer;
+    visit_session(writer, session);
+    writer.object("view", [&](FieldWriter& inner) { visit_view(inner, view); });
+    return std::move(writer.json);
 }
 
 Json json_of(const FlatScene& scene) {

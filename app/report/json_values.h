@@ -27,9 +27,10 @@ using Json = nlohmann::ordered_json;
 
 /// Everything in the session but the view.
 [[nodiscard]] Json json_of(const Session& session);
+/// All that was chosen: the session with `view` in place of its own.
+[[nodiscard]] Json settings_json(const Session& session, const ViewConfig& view);
 [[nodiscard]] Json json_of(const Camera& camera);
 [[nodiscard]] Json json_of(const BuildConfig& build);
-[[nodiscard]] Json json_of(const ViewConfig& view);
 [[nodiscard]] Json json_of(const FlatScene& scene);
 [[nodiscard]] Json json_of(const TreeStats& stats);
 /// Rays and every counter of the table.

@@ -5,6 +5,7 @@
 #include "app/report/figure_text.h"
 #include "app/report/frame_summary.h"
 #include "app/report/machine_info.h"
+#include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
@@ -54,6 +55,16 @@ PngText png_text(const EngineState& state) {
     return png_text(title_of(state), caption_of(facts_of(state)), session, state.picture->view);
 }
 
+/// InputError while a scene is awaited: the units of its camera are not known yet.
+fs::path save_session(const EngineState& state, const fs::path& folder) {
+    const LoadedScene& loaded = *state.world->loaded;
+    if (loaded.name != state.session.scene || loaded.seed != state.session.seed)
+        throw InputError("session: its scene is still being loaded; wait until it is there");
+    const fs::path path = next_file(folder, session_extension);
+    write_session(path, in_scene_units(state.session, loaded.flat));
+    return path;
+}
+
 /// What the frame shown was timed on.
 MeasuredOn machine_of(const EngineState& state) {
     MeasuredOn on = measured_on(state.session.threads, state.session.seed);
@@ -68,7 +79,7 @@ MeasuredOn machine_of(const EngineState& state) {
 fs::path next_file(const fs::path& folder, const std::string& extension) {
     std::error_code error;
     const auto taken = [&](int n) {
-        for (const char* kind : {".png", ".csv", ".json"})
+        for (const char* kind : {".png", ".csv", ".json", session_extension})
             if (fs::exists(folder / fmt::format("kdscope-{}{}", n, kind), error)) return true;
         return false;
     };
@@ -98,6 +109,7 @@ Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays
 
 fs::path export_file(Action what, const EngineState& state, const fs::path& folder, const Font& font,
                      const std::function<void(float)>& progress) {
+    if (what == Action::save_session) return save_session(state, folder);
     const TracedFrame& traced = state.picture->traced;
     const bool table = what == Action::export_csv || what == Action::export_json;
     const fs::path path = next_file(folder, what == Action::export_csv    ? ".csv"

@@ -18,7 +18,8 @@ namespace kd {
 [[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays,
                                 const std::optional<MeasuredOn>& on = {});
 
-/// Everything but Action::export_window. Returns the path written. InputError.
+/// Everything but Action::export_window; of Action::save_session all that is chosen now, of others what is shown.
+/// Returns the path written. InputError.
 [[nodiscard]] std::filesystem::path export_file(Action what, const EngineState& state,
                                                 const std::filesystem::path& folder, const Font& font,
                                                 const std::function<void(float)>& progress = {});

@@ -108,6 +108,8 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_U, plain, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
     {GLFW_KEY_F12, plain, "F12", window, "save a figure (PNG)",
      [](State, Edit& e) { e.do_once(Action::export_figure); }},
+    {GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl S", window, "save the session (JSON)",
+     [](State, Edit& e) { e.do_once(Action::save_session); }},
     {GLFW_KEY_EQUAL, GLFW_MOD_CONTROL, "Ctrl +", window, "larger text and panels",
      [](State, Edit& e) { edits::change_text_scale(e, 1); }},
     {GLFW_KEY_MINUS, GLFW_MOD_CONTROL, "Ctrl -", window, "smaller",

@@ -58,6 +58,7 @@ WindowLoop::WindowLoop(GlfwWindow& window, const Session& start, const WindowMem
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     apply_scale();
+    edits::remember_view(edit_, start.view);
 
     EngineOptions options;
     options.open_gl = window.tracing_context();
@@ -157,6 +158,7 @@ void WindowLoop::lay_out_frame() {
     last_frame_ = now;
     edit_.session = engine_->state().session;
     edit_.actions.clear();
+    edit_.session_file.clear();
     apply_keys();
 
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -246,7 +248,7 @@ void WindowLoop::apply_keys() {
         if (!meant_elsewhere && !flies && !behind) apply_key(press.key, press.modifiers, engine_->state(), edit_);
     }
     keys_.clear();
-    for (const std::string& path : dropped_) edits::choose_scene(edit_, path);
+    for (const std::string& path : dropped_) edits::open(edit_, path);
     dropped_.clear();
 }
 
@@ -262,6 +264,7 @@ void WindowLoop::apply_edit() {
         add_recent(edit_.window.recent_files, world->loaded->name);
     }
     log_.applied(engine_->state().generation);
+    if (!edit_.session_file.empty()) open_session();
     edits::settle_typed(engine_->state(), edit_);
     for (const Action action : edit_.actions) carry_out(action);
 }
@@ -306,13 +309,28 @@ void WindowLoop::paste_camera() {
     lively_frames_ = frames_after_input;
 }
 
+/// Once it is read nothing more is to be done about what was typed; of its scene a message tells.
+void WindowLoop::open_session() {
+    engine_->open_session(edit_.session_file);
+    const EngineState& state = engine_->state();
+    lively_frames_ = frames_after_input;
+    if (state.refused && state.refused->name == edit_.session_file) return;
+    edit_.window.scene_text.clear();
+    edit_.window.scene_asked.clear();
+    edit_.window.scene_awaited = false;
+    edits::remember_view(edit_, state.session.view);
+}
+
 /// Of the state as it is now, whatever changes while the file is being written.
 void WindowLoop::write_files(Action action) {
     if (!engine_->state().picture) return;
     const auto state = std::make_shared<const EngineState>(engine_->state());
     const auto window =
         std::make_shared<const Image<Rgba8>>(action == Action::export_window ? read_window() : Image<Rgba8>{});
-    const char* what = action == Action::export_csv ? "CSV" : action == Action::export_json ? "JSON" : "PNG";
+    const char* what = action == Action::export_csv     ? "CSV"
+                       : action == Action::export_json  ? "JSON"
+                       : action == Action::save_session ? "session"
+                                                        : "PNG";
     exporter_.add(what, home_long(edit_.window.folder),
                   [this, action, state, window](const auto& folder, const auto& progress) {
                       return action == Action::export_window ? export_window(*window, *state, folder)

@@ -61,6 +61,7 @@ class WindowLoop {
     void copy_camera();
     void copy_ray();
     void paste_camera();
+    void open_session();
     void write_files(Action action);
     void fetch_exports();
     [[nodiscard]] Image<Rgba8> read_window() const;

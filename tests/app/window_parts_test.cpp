@@ -67,8 +67,8 @@ TEST(CameraText, ComesBackAsItWas) {
     const Camera camera{.eye = Vec3(0.1f, 2, 5), .target = Vec3(1, 0, -1), .up = Vec3(0, 0, 1), .fov_y_degrees = 33.3f};
     EXPECT_EQ(parse_camera(camera_text(camera)), camera);
     EXPECT_EQ(parse_camera(R"({"eye":[0,0,3],"target":[0,0,0]})"), Camera{});
-    for (const char* text :
-         {"", "{}", "[1,2]", R"({"eye":[0,0],"target":[0,0,0]})", R"({"eye":[0,0,0],"target":[0,0,0]})"})
+    for (const char* text : {"", "{}", "[1,2]", R"({"eye":[0,0],"target":[0,0,0]})",
+                             R"({"eye":[0,0,0],"target":[0,0,0]})", R"({"eye":[0,0,3],"target":[0,0,0],"up":[0,0,0]})"})
         EXPECT_THROW((void)parse_camera(text), InputError) << text;
 }
 
@@ -354,6 +354,8 @@ TEST(Export, NamesCountUpOverAllKinds) {
     EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-2.png");
     std::ofstream(folder / "kdscope-3.png") << "x";
     EXPECT_EQ(next_file(folder, ".json").filename(), "kdscope-2.json");
+    std::ofstream(folder / "kdscope-2.session.json") << "x";
+    EXPECT_EQ(next_file(folder, ".png").filename(), "kdscope-4.png");
 }
 
 TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {

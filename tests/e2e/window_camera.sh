@@ -49,7 +49,7 @@ middle
 keep
 fly s 3
 moved "S"
-[[ -z $(value settings.view.overlay.depth) ]] || fail "S switched the splits on while flying"
+[[ $(value settings.view.overlay.shown) == false ]] || fail "S switched the splits on while flying"
 holds "$(target_moved) > 0.01" || fail "flying left the target behind"
 keep
 fly w 3

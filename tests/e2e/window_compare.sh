@@ -39,5 +39,5 @@ drag_slider "TREE/leaf size" 0.2 0.4
 press Tab
 wait_for '^window.shown=B$'
 press h
-wait_for '^settings.view=\{\}$'
+wait_for '^settings.view.map.shown=false$'
 echo "passed"

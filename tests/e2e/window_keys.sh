@@ -25,11 +25,11 @@ for walk in "${walks[@]}"; do
 done
 
 press h
-wait_for '^settings.view=\{\}$'
+wait_for '^settings.view.map.shown=false$'
 see_picture beauty.png
 holds "$(difference heat.png beauty.png) > 0.02" || fail "the map did not go: $(difference heat.png beauty.png)"
 press F9
-wait_for '^settings.view.map.name=nodes$'
+wait_for '^settings.view.map.shown=true$'
 
 press d
 wait_for '^settings.view.map.name=divergence$'
@@ -43,7 +43,7 @@ wait_for '^settings.view.map.name=nodes$'
 
 see_picture before.png
 press s
-wait_for '^settings.view.overlay.depth=6$'
+wait_for '^settings.view.overlay.shown=true$'
 see_picture splits.png
 holds "$(difference before.png splits.png) > 0.005" || fail "the splits are not on the screen"
 press bracketright

@@ -22,7 +22,7 @@ click_on "TRACING/traversal"
 point_at "TRACING/traversal/restart"
 press t
 press h
-[[ $(value settings.traversal) == stack && -n $(value settings.view.map.name) ]] || fail "keys acted behind an open list"
+[[ $(value settings.traversal) == stack && $(value settings.view.map.shown) == true ]] || fail "keys acted behind an open list"
 press Escape
 [[ -z $(place "TRACING/traversal/restart") ]] || fail "Esc did not close the list"
 [[ $(value pinned) != null ]] || fail "Esc for the list released the pixel"

@@ -11,12 +11,12 @@ holds "$deviation > 0.03" || fail "the picture is blank: deviation $deviation"
 yellow=$(convert heat.png -fx '(r > 0.55 && g > 0.5 && b < 0.4) ? 1 : 0' -format '%[fx:mean]' info:)
 holds "$yellow > 0.001" || fail "no hot pixels: $yellow"
 press h
-wait_for '^settings.view=\{\}$'
+wait_for '^settings.view.map.shown=false$'
 see_picture beauty.png
 cold=$(convert beauty.png -fx '(r > 0.55 && g > 0.5 && b < 0.4) ? 1 : 0' -format '%[fx:mean]' info:)
 holds "$cold < $yellow / 2" || fail "hot pixels without a map: $cold"
 press h
-wait_for '^settings.view.map.name=nodes$'
+wait_for '^settings.view.map.shown=true$'
 
 # Without panels the picture takes the whole width.
 narrow=$(value frame.width)

@@ -10,7 +10,7 @@ wait_for '^window.folder=/tmp/a-folder-nobody-has/with/a-long-name$' 20
 # Not within one millisecond: GLFW takes such presses of one key for duplicates that input methods send.
 xdotool key --delay 8 BackSpace BackSpace BackSpace BackSpace BackSpace x y BackSpace Left Left Z End q
 wait_for "^window.folder=/tmp/a-folder-nobody-has/with/a-lonZgxq$" 20
-[[ $(value settings.traversal) == stack && -n $(value settings.view.map.name) ]] || fail "letters of the text were taken for keys"
+[[ $(value settings.traversal) == stack && $(value settings.view.map.shown) == true ]] || fail "letters of the text were taken for keys"
 
 # A click and what is typed behind it: the letters are for the field; after Enter they are keys again.
 press Return

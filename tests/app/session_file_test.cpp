@@ -1,0 +1,281 @@
+#include "app/session_file.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/common_options.h"
+#include "renderer/geometry/input_error.h"
+#include "renderer/io/file.h"
+#include "renderer/io/png.h"
+#include "tests/app/cli_run.h"
+
+namespace kd {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::expect_usage_error;
+using test::run_kdscope;
+using test::TestFolder;
+
+/// Gives every field that a person chooses another value than its default. A field that is new to one of the structures
+/// does not compile here until it has its place in a list.
+Session unlike_the_default() {
+    Session session;
+    auto& [scene, seed, build, trace, tracer, early_z, camera, view, width, height, threads] = session;
+    scene = "rooms";
+    seed = 4294967295u;
+    auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, max_depth, bad_refines,
+           reference_cap, bins, trim_leaves] = build;
+    builder = "binned";
+    traversal_cost = 0.1f;
+    intersection_cost = 1e6f;
+    empty_bonus = 0.3f;
+    gate = 1;
+    empty_cut = 0.7f;
+    leaf_size = 1 << 20;
+    max_depth = 9;
+    bad_refines = 3;
+    reference_cap = 1.1f;
+    bins = 256;
+    trim_leaves = false;
+    auto& [traversal, rules, leaf_lists, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces, contribution,
+           counters, step_budget, forced] = trace;
+    traversal = Traversal::short_stack;
+    rules = Rules::as_published;
+    leaf_lists = LeafLists::duplicated;
+    short_stack = 8;
+    ropes = false;
+    eye_leaf = true;
+    entry_tile = 16;
+    shadows = false;
+    bounces = 64;
+    contribution = 1.0f / 3;
+    (void)counters;     // neither is a person's choice
+    (void)step_budget;  // and neither is in files
+    forced = FeatureSet(Feature::textures).with(Feature::exact_products);
+    tracer = TracerKind::gl_fragment;
+    early_z = EarlyZ::as_published;
+    camera = Camera{Vec3(0.1f, -0.0f, 1e18f), Vec3(1e-30f, 16777217.0f, 3), Vec3(0, 0, -1), 179.9f};
+    auto& [show_map, map, heat, overlay] = view;
+    show_map = false;
+    auto& [map_name, rays, tile_width, tile_height, schedule] = map;
+    map_name = "t-error";
+    rays = Pass::shade_refl;
+    tile_width = 1;
+    tile_height = 1024;
+    schedule = Schedule::while_while;
+    auto& [colormap, logarithmic, range_mode, range_min, range_max, opacity] = heat;
+    for (const Colormap& other : colormaps())
+        if (other.name != HeatmapConfig{}.colormap) colormap = other.name;
+    logarithmic = true;
+    range_mode = RangeMode::locked;
+    range_min = -0.1f;
+    range_max = 3e38f;
+    opacity = 0.25f;
+    auto& [show, depth, planes, boxes, hidden_line, line_opacity] = overlay;
+    show = true;
+    depth = max_tree_depth;
+    planes = boxes = hidden_line = false;
+    line_opacity = 0.1f;
+    width = 16384;
+    height = 1;
+    threads = 4096;
+    return session;
+}
+
+TEST(SessionFile, EveryFieldComesBack) {
+    const TestFolder folder;
+    const Session session = unlike_the_default();
+    write_session(folder.file("a.session.json"), session);
+    const Session back = read_session(folder.file("a.session.json"));
+    EXPECT_EQ(back, session);
+    EXPECT_TRUE(std::signbit(back.camera->eye.y)) << "the zero of a coordinate keeps its sign";
+    for (const RangeMode mode : {RangeMode::automatic, RangeMode::fixed}) {
+        Session other;
+        other.view.heat.range_mode = mode;
+        write_session(folder.file("b.session.json"), other);
+        EXPECT_EQ(read_session(folder.file("b.session.json")), other);
+    }
+}
+
+TEST(SessionFile, KeysAreThoseOfThePng) {
+    const TestFolder folder;
+    Session session;
+    session.scene = "ball:300";
+    write_session(folder.file("a.session.json"), session);
+    ASSERT_EQ(run_kdscope({"render", "ball:300", "-o", folder.file("a.png"), "--size", "8x8"}).code, 0);
+    json of_png = json::parse(read_png_text(folder.file("a.png")).at("kdscope-settings"));
+    json of_file = json::parse(read_file(folder.file("a.session.json")))["settings"];
+    EXPECT_TRUE(of_png.erase("camera")) << "that of the scene, which the session leaves to it";
+    ASSERT_EQ(of_png.size(), of_file.size());
+    for (const auto& [key, value] : of_file.items()) EXPECT_TRUE(of_png.contains(key)) << key;
+    EXPECT_EQ(of_png["view"]["map"]["shown"], false);
+    EXPECT_EQ(of_file["view"]["map"]["shown"], true);
+}
+
+TEST(SessionFile, WhatIsMissingIsTheDefault) {
+    const TestFolder folder;
+    for (const char* text : {R"({"kdscope_session": 1})", R"({"kdscope_session": 1, "settings": {}})",
+                             R"({"kdscope_session": 1, "settings": {"build": {}, "view": {"map": {}}}})"}) {
+        write_file(folder.file("a.json"), text);
+        EXPECT_EQ(read_session(folder.file("a.json")), Session{}) << text;
+    }
+}
+
+struct BadFile {
+    std::string text;
+    std::vector<std::string> words;  // of the one line that it is refused with
+};
+
+/// A session whose settings are `text`.
+std::string settings(const std::string& text) { return R"({"kdscope_session": 1, "settings": {)" + text + "}}"; }
+
+std::vector<BadFile> bad_files() {
+    const std::string deep(100000, '[');
+    return {
+        {"", {"parse error"}},
+        {"[1, 2]", {"not a session file", "kdscope_session"}},
+        {R"({"settings": {}})", {"not a session file", "kdscope_session"}},
+        {R"({"kdscope_session": 2, "unheard_of": 1})", {"/kdscope_session", "newer kdscope", "version 1"}},
+        {R"({"kdscope_session": "1"})", {"/kdscope_session", "must be 1"}},
+        {R"({"kdscope_session": 1, "setings": {}})", {"/setings", "unknown key", "did you mean settings?"}},
+        {R"({"kdscope_session": 1, "settings": [1]})", {"/settings: [1] is not an object"}},
+        {R"({"kdscope_session": 1, "settings": {"seed": 1)", {"parse error", "unexpected end of input"}},
+        {R"({"kdscope_session": 1, "settings": )" + deep, {"nested deeper"}},
+        {settings(R"("seed": NaN)"), {"parse error", "invalid literal"}},
+        {settings(R"("seed": 1e999)"), {"number overflow"}},
+        {settings("\"scene\": \"\xff\""), {"UTF-8"}},
+        {settings(R"("build": {"leaf_size": 0})"),
+         {"/settings/build/leaf_size: 0 is not a whole number from 1 to 1048576"}},
+        {settings(R"("build": {"leaf_size": 2.5})"), {"/settings/build/leaf_size: 2.5 is not a whole number"}},
+        {settings(R"("build": {"leaf_size": "2"})"), {R"(/settings/build/leaf_size: "2" is not a whole number)"}},
+        {settings(R"("build": {"leaf_size": null})"), {"/settings/build/leaf_size: null is not"}},
+        {settings(R"("build": {"leaf_sise": 1})"), {"/settings/build/leaf_sise", "did you mean leaf_size?"}},
+        {settings(R"("build": {"builder": "SAH"})"), {"/settings/build/builder", "unknown name 'SAH'", "paper"}},
+        {settings(R"("build": {"empty_bonus": 1.0001})"), {"empty_bonus: 1.0001 is not a number from 0 to 1"}},
+        {settings(R"("build": {"traversal_cost": 1e39})"), {"traversal_cost: 1e+39 is not a number from 0 to 1000000"}},
+        {settings(R"("build": 7)"), {"/settings/build: 7 is not an object"}},
+        {settings(R"("seed": -1)"), {"/settings/seed: -1 is not a whole number from 0 to 4294967295"}},
+        {settings(R"("seed": 4294967296)"), {"/settings/seed: 4294967296 is not"}},
+        {settings(R"("width": 16385)"), {"/settings/width: 16385 is not a whole number from 1 to 16384"}},
+        {settings(R"("height": 18446744073709551615)"), {"/settings/height: 18446744073709551615 is not"}},
+        {settings(R"("threads": 1e300)"), {"/settings/threads: 1e+300 is not"}},
+        {settings(R"("scene": 5)"), {"/settings/scene: 5 is not a text"}},
+        {settings(R"("tracer": "gpu")"), {"/settings/tracer", "unknown name 'gpu'", "known: cpu, gl-fragment"}},
+        {settings(R"("tracer": ["cpu"])"), {R"(/settings/tracer: ["cpu"] is not a text)"}},
+        {settings(R"("traversal": "stak")"), {"/settings/traversal", "did you mean stack?"}},
+        {settings(R"("shadows": 1)"), {"/settings/shadows: 1 is not true or false"}},
+        {settings(R"("short_stack": 0)"), {"/settings/short_stack: 0 is not a whole number from 1 to 8"}},
+        {settings(R"("forced": "ropes")"), {R"(/settings/forced: "ropes" is not a list)"}},
+        {settings(R"("forced": ["ropes", "rope"])"), {"/settings/forced/1", "did you mean ropes?"}},
+        {settings(R"("camera": null)"), {"/settings/camera: null is not an object"}},
+        {settings(R"("camera": {"eye": [0, 0]})"), {"/settings/camera/eye: [0,0] is not three numbers"}},
+        {settings(R"("camera": {"eye": [0, 0, "3"]})"), {R"(/settings/camera/eye/2: "3" is not a number)"}},
+        {settings(R"("camera": {"eye": [0, 0, 1e39]})"), {"/settings/camera/eye/2: 1e+39 is not a number"}},
+        {settings(R"("camera": {"eye": [1, 1, 1], "target": [1, 1, 1]})"), {"/settings/camera: eye and target must"}},
+        {settings(R"("camera": {"up": [0, 0, 0]})"), {"/settings/camera/up: [0, 0, 0] is no direction"}},
+        {settings(R"("camera": {"fov": 180})"), {"/settings/camera/fov: 180 is not a number from 0 to 179.9"}},
+        {settings(R"("camera": {"fov": 0})"), {"/settings/camera/fov", "above 0"}},
+        {settings(R"("camera": {"roll": 0})"), {"/settings/camera/roll: unknown key"}},
+        {settings(R"("view": {"map": {"name": "noodles"}})"), {"/settings/view/map/name", "unknown name 'noodles'"}},
+        {settings(R"("view": {"map": {"rays": "secondary"}})"), {"/settings/view/map/rays", "reflection-shadow"}},
+        {settings(R"("view": {"map": {"tile_width": 1, "tile_height": 1}})"), {"/settings/view/map", "4 to 1024"}},
+        {settings(R"("view": {"map": {"name": "oracle", "rays": "shadow"}})"), {"/settings/view/map", "no nearest"}},
+        {settings(R"("view": {"map": {"range": [2, 1]}})"), {"/settings/view/map/range: [2,1] is not", "LOW below"}},
+        {settings(R"("view": {"map": {"range": "auto"}})"), {R"(/settings/view/map/range: "auto" is not)"}},
+        {settings(R"("view": {"map": {"locked": true}})"), {"/settings/view/map/locked: there is nothing to lock"}},
+        {settings(R"("view": {"map": {"opacity": -0.1}})"), {"/settings/view/map/opacity: -0.1 is not a number"}},
+        {settings(R"("view": {"overlay": {"depth": 1000}})"), {"/settings/view/overlay/depth: 1000 is not"}},
+        {settings(R"("line\nfeed": 1)"), {"/settings/line?feed: unknown key"}},
+        {R"({"kdscope_session": 1, "x": ")" + std::string(1 << 20, 'x') + "\"}", {"larger than the limit of 1048576"}},
+    };
+}
+
+TEST(SessionFile, WhatIsWrongIsToldInOneLineWithItsPlace) {
+    const TestFolder folder;
+    const std::string file = folder.file("bad.json");
+    for (const BadFile& bad : bad_files()) {
+        SCOPED_TRACE(bad.text.substr(0, 200));
+        write_file(file, bad.text);
+        try {
+            (void)read_session(file);
+            ADD_FAILURE() << "read";
+        } catch (const InputError& error) {
+            const std::string line = error.what();
+            EXPECT_NE(line.find("bad.json: "), std::string::npos) << line;
+            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+            for (const std::string& word : bad.words) EXPECT_NE(line.find(word), std::string::npos) << line;
+        }
+    }
+    EXPECT_THROW((void)read_session(folder.file("none.json")), InputError);
+    EXPECT_THROW((void)read_session(folder.folder()), InputError);
+}
+
+TEST(SessionFile, SceneFilesBelowItsFolderMoveWithIt) {
+    const TestFolder folder;
+    const std::string square = std::string(KD_SOURCE_DIR) + "/tests/fixtures/app/large_square.gltf";
+    const fs::path lesson = folder.file("lesson"), moved = folder.file("moved");
+    fs::create_directories(lesson / "models");
+    fs::copy(square, lesson / "models/a.gltf");
+    const auto named = [](const fs::path& file) { return json::parse(read_file(file))["settings"]["scene"]; };
+    Session session;
+    session.scene = (lesson / "models/a.gltf").string();
+    write_session(lesson / "1.session.json", session);
+    EXPECT_EQ(named(lesson / "1.session.json"), "models/a.gltf");
+    session.scene = square;
+    write_session(lesson / "2.session.json", session);
+    EXPECT_EQ(named(lesson / "2.session.json"), square);
+    for (const char* name : {"ball:20", "stress:T16=1e-4", "lantern.gltf"}) {
+        session.scene = name;
+        write_session(lesson / "3.session.json", session);
+        EXPECT_EQ(read_session(lesson / "3.session.json").scene, name);
+    }
+    fs::rename(lesson, moved);
+    EXPECT_EQ(read_session(moved / "1.session.json").scene, (moved / "models/a.gltf").string());
+    EXPECT_EQ(load_scene(read_session(moved / "1.session.json").scene, 1).triangles.size(), 2u);
+
+    session.scene = "sc\xffne.gltf";
+    EXPECT_THROW(write_session(moved / "4.session.json", session), InputError);
+    EXPECT_FALSE(fs::exists(moved / "4.session.json"));
+}
+
+TEST(SessionFile, RenderTakesEverythingFromIt) {
+    const TestFolder folder;
+    Session session;
+    session.scene = "cornell";
+    session.width = 40;
+    session.height = 30;
+    session.trace.traversal = Traversal::restart;
+    session.camera = Camera{Vec3(0.25f, 1, 4), Vec3(0, 1, 0), Vec3(0, 1, 0), 40};
+    session.view.map.map = "leaves";
+    session.view.heat.opacity = 1;
+    const std::string file = folder.file("a.session.json");
+    write_session(file, session);
+    ASSERT_EQ(run_kdscope({"render", file, "-o", folder.file("a.png"), "--json", folder.file("a.json")}).code, 0);
+    ASSERT_EQ(run_kdscope({"render", "cornell", "-o", folder.file("b.png"), "--json", folder.file("b.json"), "--size",
+                           "40x30", "--traversal", "restart", "--map", "leaves", "--camera", "0.25,1,4 0,1,0 0,1,0 40"})
+                  .code,
+              0);
+    const json a = json::parse(read_file(folder.file("a.json"))), b = json::parse(read_file(folder.file("b.json")));
+    EXPECT_EQ(a["settings"], b["settings"]);
+    EXPECT_EQ(a["counters"], b["counters"]);
+
+    expect_usage_error(run_kdscope({"render", file, "-o", folder.file("c.png"), "--map", "t", "--seed", "2"}),
+                       {"--map, --seed", "session file"});
+    expect_usage_error(run_kdscope({"view", file, "--builder", "exact"}), {"--builder", "session file"});
+    write_file(file, "{}");
+    expect_usage_error(run_kdscope({file}), {"a.session.json: not a session file"});
+    expect_usage_error(run_kdscope({folder.file("none.json")}), {"none.json", "does not exist"});
+}
+
+TEST(SessionFile, ItsLargestLeafIsOneThatBuildersTake) {
+    const TestFolder folder;
+    write_file(folder.file("a.json"), settings(R"("scene": "cornell", "width": 8, "height": 8,
+                                                   "build": {"leaf_size": 1048576})"));
+    const auto outcome = run_kdscope({"render", folder.file("a.json"), "-o", folder.file("a.png")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace kd
