@@ -13,10 +13,10 @@ build_packages=(
     libosmesa6-dev libosmesa6)
 test_packages=(
     libgtest-dev librapidcheck-dev libembree-dev assimp-testmodels
-    xvfb xauth xdotool imagemagick clang-format-14)
+    xvfb xauth xdotool imagemagick python3 clang-format-14)
 fuzz_packages=(clang libclang-rt-14-dev)
 # Not every distribution has these; the program and its tests do without.
-optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core gnuplot-nox ccache xdotool"
+optional=" libosmesa6-dev libosmesa6 libembree-dev assimp-testmodels fonts-inter fonts-dejavu-core gnuplot-nox ccache"
 optional+=" clang libclang-rt-14-dev clang-format-14 "
 
 case "${1:-run}" in

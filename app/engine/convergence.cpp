@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "app/cli/common_options.h"
+#include "app/choices.h"
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
 #include "renderer/trace/walk_choices.h"

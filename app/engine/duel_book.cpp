@@ -11,7 +11,7 @@ constexpr std::size_t most_pages = 8;
 
 }  // namespace
 
-DuelBook::Page* DuelBook::find(const Session& of) {
+DuelBook::Page* DuelBook::find(const Subject& of) {
     const auto page = std::ranges::find(pages_, of, &Page::of);
     return page == pages_.end() ? nullptr : &*page;
 }
@@ -23,11 +23,12 @@ void DuelBook::show(const DuelState& rounds) {
     shown_.outdated = false;
 }
 
-void DuelBook::turn_to(Session session) {
+void DuelBook::turn_to(Session session, int scale) {
     session.tracer = TracerKind::cpu;
     session.view = {};
-    if (session == of_) return;
-    of_ = std::move(session);
+    Subject subject{std::move(session), scale};
+    if (subject == of_) return;
+    of_ = std::move(subject);
     warm_ = false;
     if (const Page* page = find(of_))
         show(page->rounds);
@@ -35,7 +36,7 @@ void DuelBook::turn_to(Session session) {
         shown_.outdated = true;
 }
 
-void DuelBook::add(const DuelReply& reply, bool chosen) {
+void DuelBook::add(const DuelReply& reply) {
     Page* page = find(of_);
     if (page && page->rounds.scale != reply.scale) {  // rounds of another size are no rounds of this frame
         std::erase_if(pages_, [&](const Page& p) { return p.of == of_; });
@@ -53,12 +54,12 @@ void DuelBook::add(const DuelReply& reply, bool chosen) {
     duel.width = reply.width;
     duel.height = reply.height;
     duel.scale = reply.scale;
-    duel.chosen = chosen;
+    duel.chosen = of_.scale > 0;
     duel.rays = reply.rays;
     duel.cpu_clock = reply.cpu_clock;
     duel.gl_clock = reply.gl_clock;
     duel.gl_setup = reply.gl_setup;
-    duel.traversal = of_.trace.traversal;
+    duel.traversal = of_.session.trace.traversal;
     duel.add(reply.round);
     show(duel);
 }

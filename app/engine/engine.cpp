@@ -137,7 +137,6 @@ void Engine::note_input() {
 void Engine::allow_duel(bool allowed, int scale) {
     if (allowed && scale != duel_scale_) {
         duel_scale_ = scale;
-        duels_.forget();  // what was measured is of frames of another size
         stop_duel();
     }
     options_.duel = allowed;
@@ -155,7 +154,7 @@ bool Engine::poll() {
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
-    duels_.turn_to(configuration_shown());
+    duels_.turn_to(configuration_shown(), duel_scale_);
     start_widths();
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();

@@ -65,7 +65,7 @@ void Engine::start_load() {
 void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
     scene_ = std::move(loaded);
-    duels_.forget();  // a file of the same name may hold another scene now
+    if (names_gltf(scene_->name)) duels_.forget();  // the file may have changed since it was read before
     take_opened_camera(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
     start_build();
@@ -344,7 +344,7 @@ void Engine::start_duel() {
 }
 
 void Engine::receive(const DuelReply& reply) {
-    duels_.add(reply, duel_scale_ > 0);
+    duels_.add(reply);
     if (!state_.duel.outdated) note_rounds();
 }
 

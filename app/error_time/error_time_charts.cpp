@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/cli/common_options.h"
+#include "app/choices.h"
 #include "app/report/sampled_curve_look.h"
 #include "renderer/measure/error_time/ranking.h"
 #include "viz/chart_axis.h"

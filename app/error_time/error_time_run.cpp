@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/common_options.h"
+#include "app/choices.h"
 #include "app/frame/frame_tracer.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"

@@ -36,13 +36,14 @@ void large(const std::string& text, ImU32 colour) {
 /// A machine's median, large, with spread, rate and clock below.
 void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time, const DuelState& duel,
                   const std::string& clock, const std::string& missing) {
+    const ImU32 dim = shade(duel, theme::dim_text);
     ImGui::BeginGroup();
-    widgets::note(name, colour);
+    widgets::note(name, shade(duel, colour));
     large(time.samples > 0 ? ms_text(time.median_ms) : none, shade(duel, theme::text));
     if (time.samples > 0) {
-        widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)));
-        widgets::note(fmt::format("{} Mrays/s", number_text(duel.mrays_per_s(time))));
-        widgets::note(clock);
+        widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)), dim);
+        widgets::note(fmt::format("{} Mrays/s", number_text(duel.mrays_per_s(time))), dim);
+        widgets::note(clock, dim);
     } else {
         widgets::note(missing);
     }

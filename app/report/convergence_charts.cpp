@@ -50,13 +50,14 @@ ChartCurve curve_of(const ConvergenceState& state, TracerKind tracer, bool robus
         if (t.session.tracer != tracer || follows_robust_rules(t.session) != robust) continue;
         if (!(t.time.median_ms > 0) || !(t.steps_per_pixel > 0)) continue;
         ChartPoint point;
-        point.x = t.time.median_ms;
+        const double to_ns = 1e6 / (double(t.session.width) * double(t.session.height));  // windows change their size
+        point.x = to_ns * t.time.median_ms;
         point.y = t.steps_per_pixel;
-        if (t.time.samples > 1) point.x_interval = ChartInterval{t.time.p25_ms, t.time.p75_ms};
+        if (t.time.samples > 1) point.x_interval = ChartInterval{to_ns * t.time.p25_ms, to_ns * t.time.p75_ms};
         const std::string how =
             t.counted ? std::string("one frame, with counters") : fmt::format("{} rounds", t.time.samples);
         point.text = fmt::format("{}, {} x {}\n    {:.3g} ms ({}), {:.3g} steps per pixel", t.name(), t.session.width,
-                                 t.session.height, point.x, how, point.y);
+                                 t.session.height, t.time.median_ms, how, point.y);
         curve.points.push_back(std::move(point));
         tried.push_back(i);
     }
@@ -100,7 +101,7 @@ Chart convergence_chart(const ConvergenceState& state) {
 TriedChart tried_chart(const ConvergenceState& state, const Session& now) {
     TriedChart made;
     made.chart.title = "Configurations tried";
-    made.chart.x.label = "ms per frame";
+    made.chart.x.label = "ns per pixel";
     made.chart.y.label = "node visits per pixel";
     for (const auto& [tracer, robust] : {std::pair(TracerKind::cpu, true),
                                          {TracerKind::gl_fragment, true},

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/common_options.h"
+#include "app/choices.h"
 #include "app/frame/frame_tracer.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/measured_on.h"

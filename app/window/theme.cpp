@@ -41,7 +41,7 @@ void set_colours(ImGuiStyle& style) {
     set(ImGuiCol_ScrollbarGrab, bright);
     set(ImGuiCol_ScrollbarGrabHovered, dim_text);
     set(ImGuiCol_ScrollbarGrabActive, text);
-    set(ImGuiCol_PlotHistogram, dim_text);
+    set(ImGuiCol_PlotHistogram, IM_COL32(52, 96, 128, 255));
     set(ImGuiCol_TextSelectedBg, faded(selected, 0.5f));
 }
 

@@ -232,8 +232,9 @@ void WindowLoop::draw_right_column(const Rectangle& area) {
     const ColumnHeights before = right_heights_;
     const float upper = upper_height(before, area.height);
     right_heights_.scrolling = draw_column("##right", {area.x, area.y, area.width, upper}, PanelPlace::right, false);
-    right_heights_.staying =
-        draw_column("##staying", {area.x, area.y + upper, area.width, area.height - upper}, PanelPlace::right, true);
+    const float bar = before.scrolling > upper ? ImGui::GetStyle().ScrollbarSize : 0;  // headers end below each other
+    right_heights_.staying = draw_column("##staying", {area.x, area.y + upper, area.width - bar, area.height - upper},
+                                         PanelPlace::right, true);
     if (right_heights_ != before) lively_frames_ = std::max(lively_frames_, 2);  // drawn by the heights of before
 }
 

@@ -28,7 +28,7 @@ struct DuelBookTest : testing::Test {
     const Session a = session_by(Traversal::stack), b = session_by(Traversal::restart);
 
     void add(std::initializer_list<double> cpu_ms, int scale = 1) {
-        for (const double ms : cpu_ms) book.add(reply_of(ms, scale), false);
+        for (const double ms : cpu_ms) book.add(reply_of(ms, scale));
     }
 };
 
@@ -84,6 +84,20 @@ TEST_F(DuelBookTest, RoundsOfAnotherSizeBeginAnew) {
     EXPECT_FALSE(shown.outdated);
     EXPECT_EQ(shown.rounds.size(), 1u);
     EXPECT_EQ(shown.width, 32);
+}
+
+TEST_F(DuelBookTest, ASizeThatAPersonChoseHasItsOwn) {
+    book.turn_to(a);
+    add({90, 10, 12});
+    book.turn_to(a, 2);
+    EXPECT_TRUE(shown.outdated);
+    add({90, 3}, 2);
+    EXPECT_TRUE(shown.chosen);
+    EXPECT_EQ(shown.width, 32);
+    book.turn_to(a);
+    EXPECT_FALSE(shown.outdated);
+    EXPECT_FALSE(shown.chosen);
+    EXPECT_EQ(shown.width, 64);
 }
 
 TEST_F(DuelBookTest, ForgetsAllWhenAskedTo) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every key of F1 but those of window_keys.sh does what the help says, seen in the state file.
+# Keys of F1 that no other script of this folder presses do what the help says, seen in the state file.
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:300

@@ -196,7 +196,7 @@ void run_speck_in_room(CaseRun& run) {
 
 StabilityCase case_T18() {
     return {"T18",
-            "Closed sphere far from the origin",
+            "Sphere far from the origin",
             "A sphere of radius 2 of 159,200 triangles around (148376, 1234, -223423), where floats are 1/64 apart; "
             "origins "
             "within 1 of its centre, random directions (Embree's watertightness test)",
