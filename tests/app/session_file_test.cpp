@@ -107,7 +107,8 @@ TEST(SessionFile, EveryFieldComesBack) {
 TEST(SessionFile, TheOneUnlikeTheDefaultIsSoInEveryField) {
     const auto leaves = [](const Session& session) { return json(settings_json(session, session.view)).flatten(); };
     const json unlike = leaves(unlike_the_default());
-    for (const auto& [place, value] : leaves(Session{}).items()) EXPECT_NE(unlike.value(place, json()), value) << place;
+    for (const auto& [place, value] : leaves(Session{}).items())
+        EXPECT_NE(unlike.value(place, json("none")), value) << place;
 }
 
 /// Every key of an object and those within it.
