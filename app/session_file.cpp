@@ -1,6 +1,8 @@
 #include "app/session_file.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <vector>
 
 #include "app/assets.h"
 #include "app/session_reader.h"
@@ -26,13 +28,42 @@ std::string reason(const Json::exception& error) {
     return printable(end == std::string::npos ? text : text.substr(end + 2), 200);
 }
 
+/// Goes along with the parser and refuses what is JSON but no session: nesting without end, and a key twice, of which
+/// the parser would keep the last.
+class StrictKeys {
+  public:
+    explicit StrictKeys(const std::string& file) : file_(file) {}
+
+    void see(int depth, Json::parse_event_t event, const Json& parsed) {
+        if (depth > deepest) throw InputError(fmt::format("{}: nested deeper than any session file", file_));
+        if (event == Json::parse_event_t::object_start) open_.emplace_back();
+        if (event == Json::parse_event_t::object_end) open_.pop_back();
+        if (event == Json::parse_event_t::key) take(parsed.get<std::string>());
+    }
+
+  private:
+    void take(const std::string& key) {
+        std::vector<std::string>& keys = open_.back();
+        const bool again = std::ranges::find(keys, key) != keys.end();
+        keys.push_back(key);
+        if (!again) return;
+        std::string place;
+        for (const std::vector<std::string>& object : open_) place += "/" + printable(object.back());
+        throw InputError(fmt::format("{}: {}: the key is there twice; leave one out", file_, place));
+    }
+
+    const std::string& file_;
+    std::vector<std::vector<std::string>> open_;  // keys so far of the objects that the parser is in, outermost first
+};
+
 Json parse(const std::string& text, const std::string& file) {
-    const auto shallow = [&](int depth, Json::parse_event_t, const Json&) {
-        if (depth > deepest) throw InputError(fmt::format("{}: nested deeper than any session file", file));
+    StrictKeys keys(file);
+    const auto watch = [&](int depth, Json::parse_event_t event, const Json& parsed) {
+        keys.see(depth, event, parsed);
         return true;
     };
     try {
-        return Json::parse(text, shallow);
+        return Json::parse(text, watch);
     } catch (const Json::exception& error) {
         throw InputError(fmt::format("{}: {}", file, reason(error)));
     }
@@ -84,6 +115,10 @@ std::string scene_named_from(const fs::path& folder, const std::string& scene) {
 }  // namespace
 
 bool names_session(const std::string& name) { return fs::path(name).extension() == ".json"; }
+
+std::string scene_fault(const std::string& file, const std::string& why) {
+    return fmt::format("{}: /settings/scene: {}", printable(file, 4096), why);
+}
 
 Session read_session(const fs::path& path) {
     const std::string file = printable(path.string(), 4096);

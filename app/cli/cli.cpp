@@ -84,8 +84,9 @@ void supply_command(std::vector<std::string>& arguments) {
             known += fmt::format("{}{}", known.empty() ? "" : ", ", command.name);
             meant.emplace_back(command.name);
         }
-        throw UsageError(fmt::format("'{}' is neither a command ({}) nor a scene ({}, or a .gltf or .glb file){}",
-                                     printable(first), known, known_scenes(), did_you_mean(first, meant)));
+        throw UsageError(fmt::format(
+            "'{}' is neither a command ({}) nor a scene ({}, a .gltf or .glb file, or a session file, .json){}",
+            printable(first), known, known_scenes(), did_you_mean(first, meant)));
     }
     arguments.insert(arguments.begin(), "view");
 }

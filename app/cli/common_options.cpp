@@ -14,6 +14,17 @@ namespace kd {
 
 namespace {
 
+/// What is wrong with the scene of a session file is told with its place there.
+FlatScene loaded_scene(const CommonOptions& options, const Session& session) {
+    const std::string& name = options.scenes.front();
+    try {
+        return load_scene(session.scene, session.seed);
+    } catch (const InputError& error) {
+        if (!names_session(name)) throw;
+        throw InputError(scene_fault(name, error.what()));
+    }
+}
+
 /// "textures,normals": names of features, separated by commas.
 FeatureSet parse_features(const std::string& text) {
     const std::vector<NamedValue<Feature>> known = choices::features();
@@ -29,6 +40,9 @@ FeatureSet parse_features(const std::string& text) {
 }  // namespace
 
 Session CommonOptions::session_for(const std::string& scene) const {
+    if (names_session(scene))
+        throw InputError(
+            fmt::format("{}: a session file, which only view and render take; name a scene", printable(scene, 1000)));
     Session chosen = session;
     chosen.scene = scene;
     if (traversal) chosen.trace.traversal = *traversal;
@@ -215,20 +229,29 @@ std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naiv
 Session starting_session(const CLI::App& app, const CommonOptions& options, const std::vector<std::string>& allowed) {
     const std::string& name = options.scenes.front();
     if (!names_session(name)) return options.session_for(name);
+    Session session = read_session(name);
+    const auto given = [&](const char* option) { return app.get_option(option)->count() > 0; };
+    if (given("--size")) {
+        session.width = options.session.width;
+        session.height = options.session.height;
+    }
+    if (given("--threads")) session.threads = options.session.threads;
+    std::vector<std::string> free = allowed;
+    free.insert(free.end(), {"--size", "--threads"});
     std::string beside;
     for (const CLI::Option* option : app.get_options()) {
-        const std::string given = option->get_name();
-        const bool fills = !option->get_lnames().empty() && std::ranges::find(allowed, given) == allowed.end();
-        if (fills && option->count() > 0) beside += (beside.empty() ? "" : ", ") + given;
+        const std::string flag = option->get_name();
+        const bool fills = !option->get_lnames().empty() && std::ranges::find(free, flag) == free.end();
+        if (fills && option->count() > 0) beside += (beside.empty() ? "" : ", ") + flag;
     }
     if (!beside.empty())
-        throw InputError(
-            fmt::format("{}: the session file says that already; leave it out, or change {}", beside, printable(name)));
-    return read_session(name);
+        throw InputError(fmt::format("{}: the session file alone chooses that; leave it out, or change {}", beside,
+                                     printable(name)));
+    return session;
 }
 
 FlatScene open_scene(const CommonOptions& options, Session& session) {
-    FlatScene scene = load_scene(session.scene, session.seed);
+    FlatScene scene = loaded_scene(options, session);
     Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);
     camera.target = options.camera.target.value_or(camera.target);

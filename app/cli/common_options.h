@@ -70,7 +70,8 @@ struct WantedMachines {
 [[nodiscard]] WantedMachines wanted_machines(const CommonOptions& options);
 
 /// The session to begin with: `options.session_for(name)`, or where `name` is a session file the one that it holds.
-/// InputError where options are given beside such a file, but for those that are `allowed`.
+/// Options given beside such a file: --size and --threads win over it, those that are `allowed` it does not choose, all
+/// others are refused. InputError.
 [[nodiscard]] Session starting_session(const CLI::App& app, const CommonOptions& options,
                                        const std::vector<std::string>& allowed);
 

@@ -233,6 +233,7 @@ CommandBody declare(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     RenderOptions& o = *options;
     add_one_scene(app, o, true);
+    app.get_option("SCENE")->description("A scene by name, a .gltf or .glb file, or a session file");
     const auto file = [&](const char* flag, std::string& path, const char* text) {
         return app.add_option(flag, path, text)->type_name("FILE");
     };

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <memory>
 
 #include "app/cli/common_options.h"
@@ -52,6 +53,8 @@ int run(const CLI::App& app, const CommonOptions& options, CommandContext&) {
 CommandBody declare(CLI::App& app) {
     const auto options = std::make_shared<CommonOptions>();
     add_one_scene(app, *options, false);
+    app.get_option("SCENE")->description(
+        fmt::format("A scene by name, a .gltf or .glb file, or a session file [{}]", options->session.scene));
     add_frame_options(app, *options);
     add_camera_options(app, *options);
     hide_options(app, {"--size", "--context"});  // the window has its own

@@ -28,6 +28,7 @@ namespace kd {
 struct OpenedSession {
     std::optional<Camera> camera;  // in scene units, which only the scene tells
     Session before;                // to go back to
+    std::string file;
 };
 
 struct EngineOptions {
@@ -93,8 +94,9 @@ class Engine {
   private:
     void start_load();
     void finish_load(std::shared_ptr<const LoadedScene> loaded);
-    void fail_load(const std::string& why);
+    void fail_load(const std::string& reason);
     void forget_refused();
+    [[nodiscard]] std::optional<Camera> usable_camera(const FlatScene& scene, const std::optional<Camera>& asked);
     void take_opened_camera(const FlatScene& scene);
     void start_build();
     void finish_build(std::shared_ptr<const World> world);

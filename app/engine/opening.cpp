@@ -26,10 +26,10 @@ void Engine::open_session(const std::string& file) {
     opened_.reset();
     for (const auto& loaded : {scene_, state_.world ? state_.world->loaded : nullptr}) {
         if (!loaded || loaded->name != next.scene || loaded->seed != next.seed) continue;
-        if (next.camera) next.camera = to_internal(loaded->flat, *next.camera);
+        next.camera = usable_camera(loaded->flat, next.camera);
         return set_session(next);
     }
-    OpenedSession opened{std::exchange(next.camera, std::nullopt), before};
+    OpenedSession opened{std::exchange(next.camera, std::nullopt), before, file};
     set_session(next);
     opened_ = std::move(opened);
 }
@@ -40,15 +40,18 @@ void Engine::forget_refused() {
     state_.refused.reset();
 }
 
+/// A camera in the scene's units as the scene has it; none, and a message, where nothing can be seen by it.
+std::optional<Camera> Engine::usable_camera(const FlatScene& scene, const std::optional<Camera>& asked) {
+    if (!asked) return std::nullopt;
+    const Camera camera = to_internal(scene, *asked);
+    if (is_valid(camera)) return camera;
+    say(true, "camera: its values cannot be used with this scene; the scene's own is shown");
+    return std::nullopt;
+}
+
 void Engine::take_opened_camera(const FlatScene& scene) {
     if (!opened_) return;
-    if (opened_->camera) {
-        const Camera camera = to_internal(scene, *opened_->camera);
-        if (is_valid(camera))
-            state_.session.camera = camera;
-        else
-            say(true, "camera: its values cannot be used with this scene; the scene's own is shown");
-    }
+    state_.session.camera = usable_camera(scene, opened_->camera);
     opened_.reset();
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
+#include "app/session_file.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/timing.h"
 
@@ -71,7 +72,8 @@ void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     start_build();
 }
 
-void Engine::fail_load(const std::string& why) {
+void Engine::fail_load(const std::string& reason) {
+    const std::string why = opened_ ? scene_fault(opened_->file, reason) : reason;
     const RefusedScene refused{state_.session.scene, why};
     state_.loading = {};
     say(true, why);

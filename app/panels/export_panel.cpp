@@ -17,7 +17,9 @@ void draw_export_panel(const EngineState& state, Edit& edit) {
     const bool ready = state.picture && !state.stale();
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     const auto button = [&](const char* label, Action action, const char* tooltip) {
-        if (widgets::button(label, ready ? tooltip : "As soon as the picture is complete.", ready, third))
+        // A session is what was chosen, of which the picture need not tell yet.
+        const bool can = action == Action::save_session ? state.picture != nullptr : ready;
+        if (widgets::button(label, can ? tooltip : "As soon as the picture is complete.", can, third))
             edit.do_once(action);
     };
     button("figure", Action::export_figure, "PNG with title, legend and a caption that names every setting. Key F12.");

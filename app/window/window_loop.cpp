@@ -324,7 +324,7 @@ void WindowLoop::open_session() {
 
 /// Of the state as it is now, whatever changes while the file is being written.
 void WindowLoop::write_files(Action action) {
-    if (!engine_->state().picture) return;
+    if (!engine_->state().picture) return engine_->say(true, "nothing is written: there is no picture yet");
     const auto state = std::make_shared<const EngineState>(engine_->state());
     const auto window =
         std::make_shared<const Image<Rgba8>>(action == Action::export_window ? read_window() : Image<Rgba8>{});

@@ -63,6 +63,23 @@ TEST(EngineSession, OneOpenedWhileItsSceneIsBeingLoadedIsCompleteToo) {
     expect_large_session(engine.state());
 }
 
+TEST(EngineSession, ACameraThatCannotBeUsedIsToldWhetherItsSceneIsThereOrNot) {
+    const test::TestFolder folder;
+    Session far = large_session();
+    far.camera = Camera{Vec3(1e-42f, 0, 0), Vec3(0), Vec3(0, 1, 0), 40};  // both are 0 in the scene's own units
+    write_session(folder.file("a.json"), far);
+    Engine engine(small_session(), quiet());
+    ASSERT_TRUE(settle(engine));
+    for (const char* scene : {"not there", "there"}) {
+        SCOPED_TRACE(scene);
+        engine.dismiss_messages();
+        engine.open_session(folder.file("a.json"));
+        ASSERT_TRUE(settle(engine));
+        EXPECT_TRUE(has_error(engine.state(), "camera: its values cannot be used with this scene"));
+        EXPECT_FALSE(engine.state().session.camera);
+    }
+}
+
 TEST(EngineSession, ABadOneLeavesEverythingAsItWas) {
     const test::TestFolder folder;
     Engine engine(small_session(), quiet());
@@ -87,7 +104,7 @@ TEST(EngineSession, ABadOneLeavesEverythingAsItWas) {
     EXPECT_FALSE(has_error(engine.state(), "/settings/seed")) << "there is another wish";
     ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.refused.has_value(); }));
     ASSERT_TRUE(settle(engine));
-    EXPECT_TRUE(has_error(engine.state(), "bal:300"));
+    EXPECT_TRUE(has_error(engine.state(), "lost.json: /settings/scene: scene 'bal:300'"));
     EXPECT_EQ(engine.state().session, before);
 }
 
