@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "app/cli/command.h"
 #include "app/choices.h"
+#include "app/cli/command.h"
 #include "app/frame/frame_tracer.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
