@@ -148,6 +148,7 @@ void WindowLoop::apply_scale() {
 void WindowLoop::lay_out_frame() {
     apply_scale();
     places_.clear();
+    settled_ = true;
     take_keys();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -185,7 +186,8 @@ void WindowLoop::present_frame() {
     glfwSwapBuffers(window_.handle());
     log_.presented(shown.get(), system_ms());
     const bool answered = lively_frames_ <= 1;  // this frame is the last that the input asked for
-    state_file_.update(engine_->state(), edit_, layout_.picture, places_, answered ? inputs_ : answered_);
+    // Who clicks where the file says that something is must not miss it because the next frame moves it.
+    if (settled_) state_file_.update(engine_->state(), edit_, layout_.picture, places_, answered ? inputs_ : answered_);
     if (answered) answered_ = inputs_;
 }
 
@@ -235,7 +237,8 @@ void WindowLoop::draw_right_column(const Rectangle& area) {
     const float bar = before.scrolling > upper ? ImGui::GetStyle().ScrollbarSize : 0;  // headers end below each other
     right_heights_.staying = draw_column("##staying", {area.x, area.y + upper, area.width - bar, area.height - upper},
                                          PanelPlace::right, true);
-    if (right_heights_ != before) lively_frames_ = std::max(lively_frames_, 2);  // drawn by the heights of before
+    settled_ = right_heights_ == before;
+    if (!settled_) lively_frames_ = std::max(lively_frames_, 2);  // drawn by the heights of before
 }
 
 void WindowLoop::apply_keys() {

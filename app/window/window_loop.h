@@ -80,6 +80,7 @@ class WindowLoop {
     Edit edit_;
     Layout layout_;
     ColumnHeights right_heights_;
+    bool settled_ = true;  // the right column has the heights that it was drawn by
     KeyQueue waiting_keys_;
     ButtonQueue waiting_buttons_;
     std::vector<KeyEvent> keys_;  // pressed, for the frame that begins
