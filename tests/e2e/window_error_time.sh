@@ -4,6 +4,7 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
 start_window ball:300
+click_on "TIME/measure while idle"  # or each round moves the points of the configurations
 press e
 wait_for '^bottom=ERROR$'
 for label in sample stop independent stratified "undo click"; do
