@@ -9,8 +9,6 @@ namespace kd {
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
 /// Why there is no frame from which on a tree pays whose frames take `ratio` times less: what the interval shows, no
 /// more.
 std::string never_pays_text(const MedianInterval& ratio) {
@@ -59,8 +57,7 @@ void write_p4(ReportWriter& page) {
         "<h2>P4: build time against quality</h2>\n<p>A builder that looks harder for splits takes longer and makes "
         "trees whose frames are quicker. Whether that pays depends on how many frames are traced with the tree: "
         "from the break-even number on, the reference is the better choice. It follows from the median ratio of the "
-        "frames' times, round by round; in brackets stand 95 % over rounds drawn with "
-        "replacement.</p>\n";
+        "frames' times, round by round; in brackets stand 95 % over rounds drawn with replacement.</p>\n";
     page.each_scene(ErrorReport::p4, [&](const SceneErrorTime& scene) {
         const bool told =
             std::ranges::any_of(scene.left_out, [](const LeftOut& l) { return l.report == ErrorReport::p4; });

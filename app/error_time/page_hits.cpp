@@ -7,11 +7,7 @@
 
 namespace kd {
 
-namespace {
-
-using Cells = std::vector<std::string>;
-
-}  // namespace
+namespace {}  // namespace
 
 void write_p2(ReportWriter& page, const HitReport& report) {
     page.html += fmt::format(

@@ -10,8 +10,6 @@ namespace kd {
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
 /// How far the traversals of a machine differ in what they make of the same samples.
 void write_gaps(ReportWriter& page, const ImageReport& report, const std::string& at) {
     std::string gaps;

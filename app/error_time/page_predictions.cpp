@@ -9,8 +9,6 @@ namespace kd {
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
 const char* verdict_text(LineVerdict verdict) {
     switch (verdict) {
         case LineVerdict::right: return "it counts rightly";
@@ -54,10 +52,9 @@ void write_predictions(ReportWriter& page, const SceneErrorTime& scene) {
     rows.push_back(tau);
     page.html += html_table(titles, rows);
     page.html += fmt::format("<p>Over {} lines the prediction is off by at most {} %, be it of interior nodes, of "
-                             "triangle tests or of their "
-                             "sum; the cost's code is held to {} %: {}. In brackets stand 95 %: of the lines' ratios "
-                             "over sets of lines drawn "
-                             "with replacement, of tau over trees drawn with replacement.</p>\n",
+                             "triangle tests or of their sum; the cost's code is held to {} %: {}. In brackets stand "
+                             "95 %: of the lines' ratios over sets of lines drawn with replacement, of tau over trees "
+                             "drawn with replacement.</p>\n",
                              page.number(at + "lines", double(report.rows.front().lines.rays), "{:.0f}"),
                              page.number(at + "largest error, percent", 100 * report.line_error(), "{:.2f}"),
                              page.number(at + "largest error allowed, percent", 100 * LineRatios::most_error, "{:.0f}"),
@@ -73,8 +70,7 @@ void write_p3(ReportWriter& page) {
         "<h2>P3: what the surface area heuristic predicts, and what is paid</h2>\n<p>For lines of which each is "
         "as likely as any other and that nothing stops, the predicted cost of a tree has to be the counted one: "
         "that checks the cost itself. Real rays start somewhere and end at surfaces, so they pay something else, "
-        "mostly "
-        "less, but better trees should still be better for them: that is what the rank correlation says.</p>\n";
+        "mostly less, but better trees should still be better for them: that is what the rank correlation says.</p>\n";
     page.each_scene(ErrorReport::p3, [&](const SceneErrorTime& scene) {
         if (scene.trees) write_predictions(page, scene);
     });

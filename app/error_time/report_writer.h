@@ -12,6 +12,8 @@
 
 namespace kd {
 
+using Cells = std::vector<std::string>;  // of a row of a table
+
 class ReportWriter {
   public:
     ReportWriter(std::filesystem::path folder, const ErrorTimeResults& results, const std::stop_token& stop);
