@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/assets.h"
+#include "app/scenes.h"
 #include "app/session_reader.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"

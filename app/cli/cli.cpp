@@ -15,6 +15,7 @@
 #include "app/cli/help_format.h"
 #include "app/cli/printable_stream.h"
 #include "app/commands/commands.h"
+#include "app/scenes.h"
 #include "app/session.h"
 #include "app/session_file.h"
 #include "renderer/geometry/input_error.h"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/typed_options.h"
+#include "app/scenes.h"
 #include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"

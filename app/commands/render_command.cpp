@@ -18,6 +18,7 @@
 #include "app/frame/rendering.h"
 #include "app/report/frame_summary.h"
 #include "app/report/needs_report.h"
+#include "app/scenes.h"
 #include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"

@@ -13,6 +13,7 @@
 #include "app/commands/stats_traversals.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/gl/gl_tracer.h"
 
 namespace kd {

@@ -14,6 +14,7 @@
 #include "app/report/divergence_chart.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"

@@ -9,6 +9,7 @@
 #include "app/cli/text_table.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"

@@ -6,6 +6,7 @@
 
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
+#include "app/scenes.h"
 #include "app/session_file.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/timing.h"

@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/frame/frame_tracer.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/double_path.h"
 #include "renderer/scene/needs.h"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/report/json_values.h"
+#include "app/scenes.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "viz/divergence.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/engine/judging.h"
+#include "app/scenes.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "tests/app/engine_run.h"

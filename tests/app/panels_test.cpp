@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/panels/applies.h"
+#include "app/scenes.h"
 #include "renderer/kdtree/build.h"
 #include "tests/app/ui_run.h"
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/common_options.h"
 #include "app/report/json_values.h"
+#include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"

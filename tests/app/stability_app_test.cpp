@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/report/json_values.h"
+#include "app/scenes.h"
 #include "app/session.h"
 #include "renderer/io/file.h"
 #include "tests/app/cli_run.h"

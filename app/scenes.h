@@ -1,0 +1,32 @@
+// Scenes by what people call them: a name with a size, a case of the stability suite, a file, one that comes with the
+// program.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+
+namespace kd {
+
+/// "ball:N, icoball:N, ..., lantern.gltf": what load_scene() takes beside the names of files.
+[[nodiscard]] std::string known_scenes();
+
+/// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a
+/// scene that comes with the program. InputError naming the known scenes.
+[[nodiscard]] FlatScene load_scene(const std::string& name, unsigned seed);
+
+/// Every scene that there is by name, to find the one meant by a mistyped `name`: "ball:900" for "baal:900".
+[[nodiscard]] std::vector<std::string> scenes_like(const std::string& name);
+
+/// True where `path` reads like a glTF file.
+[[nodiscard]] bool names_gltf(const std::filesystem::path& path);
+
+/// True where `name` reads like a scene, whether or not it can be loaded.
+[[nodiscard]] bool names_scene(const std::string& name);
+
+/// "300 triangles, 1 material, 0 textures, 1 light".
+[[nodiscard]] std::string contents_text(const FlatScene& scene);
+
+}  // namespace kd
