@@ -13,9 +13,10 @@ namespace kd {
 /// Milliseconds since 1970: a clock that another program, which sends inputs, reads as well.
 [[nodiscard]] double system_ms();
 
-/// Does nothing unless it was given a file. An event is answered by the first frame presented after it whose picture is
-/// (at least a preview) of the session that the event led to. Those that never were are written at the end, with
-/// nothing for the frame's time and the latency.
+/// Does nothing unless it was given a file. An event is taken up by the first frame presented after it was applied:
+/// what was moved or pressed shows it. It is answered by the first frame whose picture is (at least a preview) of the
+/// session that the event led to. Those that never were are written at the end, with nothing for that frame's time and
+/// the latency.
 class EventLog {
   public:
     /// Throws InputError where `path` cannot be written; empty: off.
@@ -37,7 +38,10 @@ class EventLog {
         const char* kind;
         double time_ms;
         std::uint64_t generation = 0;  // 0: not applied yet
+        double first_frame_ms = 0;     // 0: not taken up yet
     };
+    static std::string start_of_row(const Event& event);
+
     std::ofstream file_;
     std::vector<Event> waiting_;
     std::int64_t count_ = 0;

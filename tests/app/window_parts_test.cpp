@@ -377,10 +377,10 @@ TEST(EventLog, AnEventIsAnsweredByAPictureOfItsSession) {
     }
     std::ifstream in(file);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    EXPECT_EQ(text, "event,kind,t_event_ms,t_frame_ms,latency_ms\n"
-                    "1,move,1000.00,2062.50,1062.50\n"
-                    "2,key,2000.00,2125.00,125.00\n"
-                    "3,scroll,3000.00,,\n");
+    EXPECT_EQ(text, "event,kind,t_event_ms,t_first_frame_ms,t_frame_ms,latency_ms\n"
+                    "1,move,1000.00,2062.50,2062.50,1062.50\n"
+                    "2,key,2000.00,2070.00,2125.00,125.00\n"
+                    "3,scroll,3000.00,,,\n");
     EXPECT_THROW(EventLog("/no/such/folder/events.csv"), InputError);
 }
 
