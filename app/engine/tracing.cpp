@@ -232,9 +232,9 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
         reply.gl_setup = gl_->setup();
         return gl.complete;
     };
-    // In one order and the reverse of it by turns, as time_in_turn() does.
-    if (!(gl_begins_ ? by_gl() && by_cpu() : by_cpu() && by_gl())) return std::nullopt;
-    gl_begins_ = !gl_begins_;
+    if (!take_turns(2, duel_rounds_, [&](std::size_t machine) { return machine == 0 ? by_cpu() : by_gl(); }))
+        return std::nullopt;
+    ++duel_rounds_;
     return reply;
 }
 

@@ -85,7 +85,7 @@ class Tracing {
     int counted_width_ = 0;
     int duel_scale_ = 0;  // the program's choice, for this scene and size of the picture
     std::weak_ptr<const LoadedScene> duel_scene_;
-    bool gl_begins_ = false;  // the next round of the duel
+    int duel_rounds_ = 0;  // their number says who begins the next
     int duel_width_ = 0, duel_height_ = 0;
 };
 

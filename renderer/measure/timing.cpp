@@ -49,6 +49,12 @@ std::string clock_check_text(double discrepancy) {
     return discrepancy == 0 ? "" : fmt::format("; the steady clock says {:+.1f} %", 100 * discrepancy);
 }
 
+bool take_turns(std::size_t count, int round, const std::function<bool(std::size_t)>& run) {
+    for (std::size_t turn = 0; turn < count; ++turn)
+        if (!run(round % 2 == 0 ? turn : count - 1 - turn)) return false;
+    return true;
+}
+
 std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
                                       const RoundDone& round_done) {
     std::vector<TimedRounds> timed;
@@ -62,10 +68,10 @@ std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants
         return plan.budget_s > 0 && done >= plan.least_rounds && spent.count() >= plan.budget_s;
     };
     for (int round = 0; round < plan.rounds && !over(round); ++round) {
-        for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
-            const std::size_t i = round % 2 == 0 ? turn : contestants.size() - 1 - turn;
+        take_turns(contestants.size(), round, [&](std::size_t i) {
             timed[i].rounds.push_back(contestants[i].run());
-        }
+            return true;
+        });
         if (round_done) round_done(round + 1, timed);
     }
     return timed;

@@ -67,11 +67,14 @@ struct TimingPlan {
 /// As many rounds as begin within `seconds`, up to 31, but at least the six that a 95 % interval of a median takes.
 [[nodiscard]] TimingPlan rounds_within(double seconds, int warmup = 1);
 
+/// One round of `count` contestants: `run` each by its place, in one order and the reverse of it by turns, so that a
+/// machine that grows slower favours nobody. Ends where one gives up and returns false; true where none did.
+bool take_turns(std::size_t count, int round, const std::function<bool(std::size_t)>& run);
+
 /// Told after each round of all contestants: how many rounds are done, and all that was measured.
 using RoundDone = std::function<void(int rounds, std::span<const TimedRounds> so_far)>;
 
-/// Runs every contestant `warmup` times, then all of them in turn, in one order and the reverse of it by turns, so that
-/// a machine that grows slower favours nobody.
+/// Runs every contestant `warmup` times, then rounds of all of them by take_turns().
 [[nodiscard]] std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
                                                     const RoundDone& round_done = {});
 

@@ -40,6 +40,17 @@ TEST(Timing, ContestantsTakeTurnsForwardAndBackward) {
     EXPECT_EQ(times[1].total().samples, 3);
 }
 
+TEST(Timing, ARoundEndsWhereSomebodyGivesUp) {
+    std::vector<std::size_t> ran;
+    const auto until = [&](std::size_t last) {
+        return [&ran, last](std::size_t i) { return ran.push_back(i), i != last; };
+    };
+    EXPECT_FALSE(take_turns(3, 0, until(1)));
+    EXPECT_FALSE(take_turns(3, 1, until(1)));
+    EXPECT_TRUE(take_turns(2, 3, until(9)));
+    EXPECT_EQ(ran, (std::vector<std::size_t>{0, 1, 2, 1, 1, 0}));
+}
+
 TEST(Timing, ABudgetEndsTheRoundsButNotBeforeTheLeast) {
     const std::vector<Contestant> one{{"a", [] { return TimeSample{1.0}; }}};
     const TimingPlan plan{.warmup = 0, .rounds = 100, .budget_s = 1e-9, .least_rounds = 6};
