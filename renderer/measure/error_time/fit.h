@@ -1,7 +1,6 @@
 // Straight lines through log-log points, and how sure they are.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,17 +24,17 @@ using SquaredErrors = std::vector<std::vector<double>>;
 /// The root of each column's mean.
 [[nodiscard]] std::vector<double> root_means(const SquaredErrors& sets);
 
-/// The same for a column, as an interval: percentiles over sets drawn with replacement. One set alone: its
-/// own root twice.
-[[nodiscard]] Interval root_mean_interval(const SquaredErrors& sets, std::size_t column, std::uint64_t seed);
+/// The same for a column, as an interval over sets: Tukey's jackknife with Student's quantile, of the logarithm. One
+/// set alone: its own root twice.
+[[nodiscard]] Interval root_mean_interval(const SquaredErrors& sets, std::size_t column);
 
 /// Of one number for each set of samples; 0 without any. Its interval is made as that of root_mean_interval().
 [[nodiscard]] double mean_over_sets(const std::vector<double>& sets);
-[[nodiscard]] Interval mean_interval(const std::vector<double>& sets, std::uint64_t seed);
+[[nodiscard]] Interval mean_interval(const std::vector<double>& sets);
 
-/// fit_power() through the root means, with an interval over sets drawn with replacement where there are several: the
-/// points of one set share samples, so what they leave over would promise too much.
-[[nodiscard]] PowerFit fit_power_over_sets(std::span<const double> x, const SquaredErrors& sets, std::uint64_t seed);
+/// fit_power() through the root means, with an interval over sets where there are several: the points of one set share
+/// samples, so what they leave over would promise too much.
+[[nodiscard]] PowerFit fit_power_over_sets(std::span<const double> x, const SquaredErrors& sets);
 
 /// 97.5 % quantile of Student's distribution, within 1 %.
 [[nodiscard]] double student_quantile(int degrees_of_freedom);

@@ -159,15 +159,15 @@ class ImageRun {
             point.seconds = scale * curve.frame.median_ms;
             point.quartiles = {scale * curve.frame.p25_ms, scale * curve.frame.p75_ms};
             point.rmse = roots[i];
-            point.rmse_interval = root_mean_interval(squares, i, task_.seed);
+            point.rmse_interval = root_mean_interval(squares, i);
             point.own_rmse = std::sqrt(squares.front()[i]);
             std::vector<double> flips;
             for (const SetErrors& set : all) flips.push_back(set.flips[i]);
             point.flip = mean_over_sets(flips);
-            point.flip_interval = mean_interval(flips, task_.seed);
+            point.flip_interval = mean_interval(flips);
             curve.points.push_back(point);
         }
-        curve.fit = fit_power_over_sets(samples, squares, task_.seed);
+        curve.fit = fit_power_over_sets(samples, squares);
     }
 
     static void mark_front(ImageReport& report) {
