@@ -13,7 +13,7 @@ std::vector<PaperFigure> paper_figures(const PaperResults& results) {
     figures.push_back(figure_13(results));
     figures.push_back(restart_cost(results));
     figures.push_back(divergence(results));
-    if (results.rounds > 0) figures.push_back(traversal_share(results));
+    if (!results.triangle_tests.empty()) figures.push_back(traversal_share(results));
     if (!results.budgets.empty()) figures.push_back(loop_ceiling(results));
     if (results.has_gpu_times() && results.rounds > 0) figures.push_back(passes(results));
     return figures;

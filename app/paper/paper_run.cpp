@@ -9,7 +9,7 @@
 #include "app/paper/paper_counts.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
-#include "renderer/measure/paper/node_sizes.h"
+#include "renderer/measure/paper/walk_costs.h"
 #include "renderer/measure/timing_ratio.h"
 
 namespace kd {
@@ -43,6 +43,7 @@ class PaperRun {
         compare_seeds();
         limit_loops();
         compare_node_sizes();
+        compare_triangle_tests();
         time_all();
         results_.complete = !stop_.stop_requested();
         return std::move(results_);
@@ -116,6 +117,18 @@ class PaperRun {
                                                  config_.quick ? 9 : 15, stop_);
             sizes.scene = name;
             if (!stopped()) results_.node_sizes.push_back(std::move(sizes));
+        }
+    }
+
+    void compare_triangle_tests() {
+        for (const PaperScene& scene : results_.scenes) {
+            if (stopped()) return;
+            tell(0.13f, fmt::format("triangle tests and traversal in {}", scene.name));
+            const PaperWorld& w = *stages_.at(scene.name).world;
+            PaperTriangleTests tests = compare_tests(w.scene, w.tree, w.camera, results_.width, results_.height,
+                                                     config_.quick ? 9 : 15, stop_);
+            tests.scene = scene.name;
+            if (!stopped()) results_.triangle_tests.push_back(std::move(tests));
         }
     }
 

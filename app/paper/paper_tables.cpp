@@ -156,7 +156,8 @@ std::string table_csv(const PaperTable& table, const std::vector<std::string>& c
 }
 
 Json paper_json(const PaperResults& results, const std::vector<PaperClaim>& claims) {
-    Json verdicts = Json::array(), scenes = Json::array(), budgets = Json::array(), sizes = Json::array();
+    Json verdicts = Json::array(), scenes = Json::array(), budgets = Json::array(), sizes = Json::array(),
+         tests = Json::array();
     for (const PaperClaim& c : claims)
         verdicts.push_back({{"claim", c.id},
                             {"value", json_of(c.value)},
@@ -174,6 +175,12 @@ Json paper_json(const PaperResults& results, const std::vector<PaperClaim>& clai
                          {"ms_8_bytes", json_of(s.narrow.total())},
                          {"rounds_16_bytes", rounds_json(s.wide)},
                          {"rounds_8_bytes", rounds_json(s.narrow)}});
+    for (const PaperTriangleTests& t : results.triangle_tests)
+        tests.push_back({{"scene", t.scene},
+                         {"ms_once", json_of(t.once.total())},
+                         {"ms_twice", json_of(t.twice.total())},
+                         {"rounds_once", rounds_json(t.once)},
+                         {"rounds_twice", rounds_json(t.twice)}});
     return {{"measured_on", json_of(results.on)},
             {"complete", results.complete},
             {"width", results.width},
@@ -183,6 +190,7 @@ Json paper_json(const PaperResults& results, const std::vector<PaperClaim>& clai
             {"scenes", scenes},
             {"budgets", budgets},
             {"node_sizes", sizes},
+            {"triangle_tests", tests},
             {"notes", results.notes}};
 }
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/kdtree/build.h"
-#include "renderer/measure/paper/node_sizes.h"
 #include "renderer/measure/paper/paper_growth.h"
+#include "renderer/measure/paper/walk_costs.h"
 #include "renderer/measure/pixel_rays.h"
 #include "renderer/scene/procedural.h"
 #include "tests/support/paper_samples.h"
@@ -177,13 +177,20 @@ TEST(PaperClaims, NothingMeasuredIsAllOpenButArithmetic) {
     for (const PaperClaim& c : judge_claims({})) EXPECT_EQ(c.verdict, c.id == "B1c" ? arithmetic : undecided) << c.id;
 }
 
-TEST(PaperClaims, TheShareOfTraversalFollowsFromExtraVisits) {
-    // 120000 visits by the stack, 420000 by restart, which takes 2.5 times as long: a visit costs 1.5 / 300000 of it.
-    test::PaperMs ms{{{"ball:9000", PaperMethod::cpurt}, 100}, {{"ball:9000", PaperMethod::cpu_restart}, 250}};
-    const PaperResults results = paper_results(ms, 0);
-    for (const double share : traversal_shares(*results.scene("ball:9000"), false)) EXPECT_NEAR(share, 0.6, 1e-12);
-    EXPECT_TRUE(traversal_shares(*results.scene("ball:9000"), true).empty());
+TEST(PaperClaims, TheShareOfTraversalIsWhatNoTestAddsTo) {
+    PaperResults results = paper_results({}, 0);  // 100 ms with one test of each triangle, 140 with two
+    for (const double share : results.triangle_tests[0].traversal_shares()) EXPECT_NEAR(share, 0.6, 1e-12);
     EXPECT_EQ(claim(judge_claims(results), "B1a").verdict, reproduced);
+    for (TimeSample& round : results.triangle_tests[0].twice.rounds) round.ms = 110;
+    EXPECT_EQ(claim(judge_claims(results), "B1a").verdict, not_reproduced);
+}
+
+TEST(TriangleTests, TestsMadeTwiceChangeNoHit) {
+    const FlatScene scene = flatten(*make_procedural("ball:500"));
+    const KdTree tree = build_tree(scene.triangles, {});
+    const PaperTriangleTests tests = compare_tests(scene, tree, pinhole(scene.camera, 48, 48), 48, 48, 6, {});
+    EXPECT_EQ(tests.once.rounds.size(), 6u) << "it throws where a hit differs";
+    EXPECT_EQ(tests.traversal_shares().size(), 6u);
 }
 
 TEST(NodeSizes, SmallNodesHoldTheSameTreeAndGiveTheSameHits) {

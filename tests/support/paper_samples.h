@@ -66,9 +66,12 @@ inline PaperResults paper_results(const PaperMs& ms, double noise, int rounds = 
     }
     results.budgets = {{"ball:2000", 2000, 255, 4096, 400}, {"ball:2000", 2000, 1024, 4096, 0}};
     results.node_sizes = {{"ball:9000", 5000, {"16", {}}, {"8", {}}}};
+    results.triangle_tests = {{"ball:9000", {"once", {}}, {"twice", {}}}};
     for (int i = 0; i < rounds; ++i) {
         results.node_sizes[0].wide.rounds.push_back({120 + noise * i});
         results.node_sizes[0].narrow.rounds.push_back({100 + noise * i});
+        results.triangle_tests[0].once.rounds.push_back({100});
+        results.triangle_tests[0].twice.rounds.push_back({140 + noise * i});
     }
     return results;
 }

@@ -61,16 +61,10 @@ bool PaperResults::has_gpu_times() const {
     return std::ranges::any_of(scenes, [](const PaperScene& s) { return s.times_of(PaperMethod::gpurt) != nullptr; });
 }
 
-std::vector<double> traversal_shares(const PaperScene& scene, bool gpu) {
-    const std::vector<double> stack = scene.ms(gpu ? PaperMethod::gpu_stack : PaperMethod::cpurt);
-    const std::vector<double> restart = scene.ms(gpu ? PaperMethod::gpurt : PaperMethod::cpu_restart);
-    const PaperCounts* few = scene.counts_of(Traversal::stack);
-    const PaperCounts* many = scene.counts_of(Traversal::restart);
+std::vector<double> PaperTriangleTests::traversal_shares() const {
     std::vector<double> shares;
-    if (!few || !many || many->visits() <= few->visits()) return shares;
-    const double part = double(few->visits()) / double(many->visits() - few->visits());
-    for (std::size_t i = 0; i < std::min(stack.size(), restart.size()); ++i)
-        if (stack[i] > 0 && restart[i] > 0) shares.push_back((restart[i] - stack[i]) / stack[i] * part);
+    for (std::size_t i = 0; i < std::min(once.rounds.size(), twice.rounds.size()); ++i)
+        if (once.rounds[i].ms > 0) shares.push_back(2 - twice.rounds[i].ms / once.rounds[i].ms);
     return shares;
 }
 

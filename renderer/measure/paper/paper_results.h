@@ -100,6 +100,15 @@ struct PaperNodeSizes {
     TimedRounds wide, narrow;
 };
 
+/// Stack traversals of the same rays, with every triangle tested once and twice.
+struct PaperTriangleTests {
+    std::string scene;
+    TimedRounds once, twice;
+
+    /// Of the time, what is no triangle test, round by round: visits of nodes and leaves, and beginning.
+    [[nodiscard]] std::vector<double> traversal_shares() const;
+};
+
 struct PaperPicture {
     std::string file;  // "budget-ball-9000-255.png"
     std::string caption;
@@ -113,6 +122,7 @@ struct PaperResults {
     std::vector<PaperScene> scenes;
     std::vector<PaperBudget> budgets;
     std::vector<PaperNodeSizes> node_sizes;
+    std::vector<PaperTriangleTests> triangle_tests;
     std::vector<PaperPicture> pictures;
     std::vector<std::string> notes;
     int rounds = 0;
@@ -121,9 +131,5 @@ struct PaperResults {
     [[nodiscard]] const PaperScene* scene(std::string_view name) const;
     [[nodiscard]] bool has_gpu_times() const;
 };
-
-/// Share of a method's time on `scene` that visiting nodes takes, round by round: what a visit costs is told by the
-/// restart traversal, which visits more nodes than the stack's and does nothing else besides.
-[[nodiscard]] std::vector<double> traversal_shares(const PaperScene& scene, bool gpu);
 
 }  // namespace kd

@@ -1,4 +1,5 @@
-// Do small nodes pay? The same walk over the same tree with nodes of 16 and of 8 bytes (paper, section 2.3.1).
+// What the parts of a walk cost (paper, section 2.3.1): nodes of 16 against 8 bytes, and the triangle tests, whose rest
+// is traversal.
 #pragma once
 
 #include <cstdint>
@@ -34,5 +35,10 @@ void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const Na
 /// the program, whatever the scene.
 [[nodiscard]] PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera,
                                            int width, int height, int rounds, const std::stop_token& stop);
+
+/// Times the walk over nodes of 16 bytes with every triangle tested once against twice, whose difference is what the
+/// tests cost. The second test of a triangle finds it in the cache, so they cost a little more. Throws as above.
+[[nodiscard]] PaperTriangleTests compare_tests(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera,
+                                               int width, int height, int rounds, const std::stop_token& stop);
 
 }  // namespace kd

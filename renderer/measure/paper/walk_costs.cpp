@@ -1,8 +1,11 @@
-#include "renderer/measure/paper/node_sizes.h"
+#include "renderer/measure/paper/walk_costs.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/pixel_rays.h"
@@ -20,8 +23,11 @@ KD_FN KdNode unpacked(const NarrowNode& n) {
     return {flag, n.split, rest, flag == KD_LEAF ? int(n.first) : rest, -1};
 }
 
-/// The shared text's stack traversal over nodes of either layout; counts nothing.
-template <class Node>
+enum class Tests { once, twice };
+
+/// The shared text's stack traversal over nodes of either layout, with each triangle test made once or twice; counts
+/// nothing.
+template <class Node, Tests tests = Tests::once>
 class NodeKernel {
   public:
     NodeKernel(const FlatScene& scene, const KdTree& tree, const Node* nodes)
@@ -35,7 +41,19 @@ class NodeKernel {
 #include "shaders/shared/ray.glsl"
 // clang-format off
 #include "shaders/shared/box.glsl"
+#define intersect_triangle test_triangle
 #include "shaders/shared/triangle.glsl"
+#undef intersect_triangle
+    KD_FN void intersect_triangle(const RaySetup& s, int slot, int triangle, Hit& best) {
+        if constexpr (tests == Tests::twice) {
+            Hit unused = best;
+            int same = triangle;
+            asm volatile("" : "+r"(same));  // no compiler may see that it is, nor that nobody looks at what it gives
+            test_triangle(s, slot, same, unused);
+            asm volatile("" : : "m"(unused));
+        }
+        test_triangle(s, slot, triangle, best);
+    }
 #include "shaders/shared/split_rule.glsl"
 #include "shaders/shared/leaf.glsl"
 #include "shaders/shared/traverse_stack.glsl"
@@ -73,10 +91,16 @@ class NodeKernel {
     Aabb bounds_;
 };
 
-template <class Node>
+/// A way to trace all rays.
+struct Walk {
+    const char* name;
+    std::function<void(std::span<Hit>)> trace;
+};
+
+template <Tests tests = Tests::once, class Node>
 void trace_all(const FlatScene& scene, const KdTree& tree, const Node* nodes, std::span<const Ray> rays,
                std::span<Hit> hits) {
-    NodeKernel<Node> kernel(scene, tree, nodes);
+    NodeKernel<Node, tests> kernel(scene, tree, nodes);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hits[i] = {-1, rays[i].t_max, 0, 0};
         kernel.traverse(rays[i], false, hits[i]);
@@ -109,26 +133,49 @@ void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const Na
     trace_all(scene, tree, nodes.data(), rays, hits);
 }
 
+namespace {
+
+/// Both in turn; they must find the same hits in every bit.
+std::array<TimedRounds, 2> time_both(std::size_t rays, int rounds, const std::stop_token& stop,
+                                     const std::array<Walk, 2>& walks) {
+    std::array<std::vector<Hit>, 2> hits{std::vector<Hit>(rays), std::vector<Hit>(rays)};
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < 2; ++i)
+        contestants.push_back({walks[i].name, [&, i] {
+                                   if (stop.stop_requested()) return TimeSample{};
+                                   return TimeSample{wall_ms([&] { walks[i].trace(hits[i]); })};
+                               }});
+    std::vector<TimedRounds> timed = time_in_turn(contestants, {.warmup = 1, .rounds = rounds});
+    const bool same = std::ranges::equal(hits[0], hits[1], [](const Hit& a, const Hit& b) { return bit_equal(a, b); });
+    if (!same && !stop.stop_requested())
+        throw std::logic_error(std::string("walks by ") + walks[0].name + " and " + walks[1].name +
+                               " do not find the same hits");
+    return {std::move(timed[0]), std::move(timed[1])};
+}
+
+}  // namespace
+
 PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera, int width,
                              int height, int rounds, const std::stop_token& stop) {
     const std::vector<Ray> rays = pixel_rays(camera, width, height);
     const std::vector<NarrowNode> nodes = narrow_nodes(tree);
-    std::vector<Hit> wide(rays.size()), narrow(rays.size());
-    const std::vector<Contestant> contestants{
-        {"16 bytes",
-         [&] {
-             if (stop.stop_requested()) return TimeSample{};
-             return TimeSample{wall_ms([&] { trace_wide(scene, tree, rays, wide); })};
-         }},
-        {"8 bytes", [&] {
-             if (stop.stop_requested()) return TimeSample{};
-             return TimeSample{wall_ms([&] { trace_narrow(scene, tree, nodes, rays, narrow); })};
-         }}};
-    std::vector<TimedRounds> timed = time_in_turn(contestants, {.warmup = 1, .rounds = rounds});
-    const bool same = std::ranges::equal(wide, narrow, [](const Hit& a, const Hit& b) { return bit_equal(a, b); });
-    if (!same && !stop.stop_requested())
-        throw std::logic_error("nodes of 8 bytes: a hit differs from that with nodes of 16 bytes");
-    return {"", tree.nodes.size(), std::move(timed[0]), std::move(timed[1])};
+    auto [wide, narrow] = time_both(
+        rays.size(), rounds, stop,
+        {Walk{"nodes of 16 bytes", [&](std::span<Hit> hits) { trace_wide(scene, tree, rays, hits); }},
+         Walk{"nodes of 8 bytes", [&](std::span<Hit> hits) { trace_narrow(scene, tree, nodes, rays, hits); }}});
+    return {"", tree.nodes.size(), std::move(wide), std::move(narrow)};
+}
+
+PaperTriangleTests compare_tests(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera, int width,
+                                 int height, int rounds, const std::stop_token& stop) {
+    const std::vector<Ray> rays = pixel_rays(camera, width, height);
+    auto [once, twice] =
+        time_both(rays.size(), rounds, stop,
+                  {Walk{"tests made once", [&](std::span<Hit> hits) { trace_wide(scene, tree, rays, hits); }},
+                   Walk{"tests made twice", [&](std::span<Hit> hits) {
+                            trace_all<Tests::twice>(scene, tree, tree.nodes.data(), rays, hits);
+                        }}});
+    return {"", std::move(once), std::move(twice)};
 }
 
 }  // namespace kd
