@@ -286,18 +286,19 @@ TEST(HitReportTest, WalksAnswerAsTheTracersDo) {
     const std::vector<Ray> rays = uniform_lines(scene.bounds, 500, random);
     const WalkScene walks(scene, tree);
     CpuTracer tracer(scene, tree);
-    for (const Rules rules : {Rules::robust, Rules::as_published}) {
-        TraceConfig config;
-        config.rules = rules;
-        std::vector<Hit> expected(rays.size());
-        tracer.trace_rays(config, rays, false, expected, {});
-        std::vector<HitAnswer> found(rays.size());
-        walk_rays(walks, {TriangleTest::woop, false, rules, Traversal::stack}, rays, found);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            EXPECT_EQ(found[i].triangle, expected[i].triangle);
-            EXPECT_EQ(found[i].t, double(expected[i].t));
+    for (const Rules rules : {Rules::robust, Rules::as_published})
+        for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack}) {
+            TraceConfig config;
+            config.rules = rules;
+            config.traversal = traversal;
+            std::vector<Hit> expected(rays.size());
+            tracer.trace_rays(config, rays, false, expected, {});
+            std::vector<HitAnswer> found(rays.size());
+            walk_rays(walks, {TriangleTest::woop, false, rules, traversal}, rays, found);
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                EXPECT_EQ(found[i], (HitAnswer{expected[i].triangle, double(expected[i].t)}))
+                    << info(traversal).name << ", rules " << int(rules) << ", ray " << i;
         }
-    }
 }
 
 TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {

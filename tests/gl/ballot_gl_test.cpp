@@ -73,7 +73,21 @@ TEST_P(BallotGl, EveryTraversalThatHasALoopOnEveryScene) {
 
 TEST_P(BallotGl, EveryKindOfRay) {
     load("cornell");
-    for (const Pass rays : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl}) expect_exact({}, rays, 64, 64);
+    for (const Pass rays : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl})
+        for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
+            expect_exact({.traversal = traversal}, rays, 64, 64);
+}
+
+TEST_P(BallotGl, WhatIsNotTheSameWalkIsFound) {
+    load("ball:1000");
+    tree = build_tree(scene.triangles, {.leaf_size = 16});  // the machine keeps the tree that it was given
+    for (const Schedule loop : loops) {
+        const BallotReport report = check({}, loop, Pass::rt_prim, 64, 64);
+        EXPECT_FALSE(report.exact());
+        EXPECT_GT(report.differ, 0);
+        EXPECT_FALSE(report.first_difference.empty());
+        EXPECT_NE(report.measured, report.computed);
+    }
 }
 
 TEST_P(BallotGl, TheBordersOfThePictureAreIdleLanes) {
