@@ -34,8 +34,16 @@ if(KD_HAS_MFMA)
     kd_flagged_build(fused -O3 -mfma -ffp-contract=fast) # what must show
 endif()
 
+# Where there is a clang that finds this compiler's standard library; else a build must not break by it.
 find_program(KD_CLANG clang++)
-if(KD_CLANG AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NOT KD_SANITIZE)
+if(KD_CLANG AND NOT DEFINED KD_CLANG_WORKS)
+    execute_process(OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE result
+        COMMAND "${KD_CLANG}" -std=c++20 -fsyntax-only -DKD_FLAGGED_TRACE=kd_trace_clang -I "${PROJECT_SOURCE_DIR}"
+            "${flagged_source}")
+    string(COMPARE EQUAL "${result}" 0 works)
+    set(KD_CLANG_WORKS ${works} CACHE INTERNAL "")
+endif()
+if(KD_CLANG_WORKS AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NOT KD_SANITIZE)
     set(clang_flags -O3 -ffp-contract=off)
     set(clang_library "${CMAKE_CURRENT_BINARY_DIR}/libkd_flags_clang.so")
     add_custom_command(OUTPUT "${clang_library}"
