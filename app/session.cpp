@@ -55,12 +55,6 @@ std::string known_scenes() {
     return list;
 }
 
-bool names_gltf(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
-}
-
 std::string contents_text(const FlatScene& scene) {
     return fmt::format("{}, {}, {}, {}", counted(scene.triangles.size(), "triangle"),
                        counted(scene.materials.size(), "material"), counted(scene.textures.size(), "texture"),
