@@ -1,7 +1,6 @@
 #include "app/session.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 

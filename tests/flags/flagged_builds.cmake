@@ -1,4 +1,4 @@
-# The tracer's text built again with other flags and by another compiler, for tests/core/build_flags_test.cpp. Each build
+# The tracer again with other flags and by another compiler, for tests/core/build_flags_test.cpp. Each build
 # is a library of its own in which nothing but its function can be seen: else the linker would take the inline functions
 # of one build for all. Gives kd_flagged_builds, and the table flagged_builds.inc.
 
