@@ -1,7 +1,6 @@
 #include "app/scenes.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -52,12 +51,6 @@ std::string known_scenes() {
     list += fmt::format(", {}CASE", stress_prefix);
     for (const fs::path& file : shipped_scenes()) list += ", " + file.filename().string();
     return list;
-}
-
-bool names_gltf(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
 }
 
 std::string contents_text(const FlatScene& scene) {

@@ -2,7 +2,6 @@
 // program.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,6 @@ namespace kd {
 
 /// Every scene that there is by name, to find the one meant by a mistyped `name`: "ball:900" for "baal:900".
 [[nodiscard]] std::vector<std::string> scenes_like(const std::string& name);
-
-/// True where `path` reads like a glTF file.
-[[nodiscard]] bool names_gltf(const std::filesystem::path& path);
 
 /// True where `name` reads like a scene, whether or not it can be loaded.
 [[nodiscard]] bool names_scene(const std::string& name);

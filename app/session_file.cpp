@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/assets.h"
-#include "app/scenes.h"
 #include "app/session_reader.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
+#include "renderer/io/gltf.h"
 #include "renderer/io/printable.h"
 
 namespace kd {
@@ -121,9 +121,11 @@ std::string scene_fault(const std::string& file, const std::string& why) {
     return fmt::format("{}: /settings/scene: {}", printable(file, 4096), why);
 }
 
-Session read_session(const fs::path& path) {
+Session read_session(const fs::path& path) { return parse_session(read_file(path, most_bytes), path); }
+
+Session parse_session(const std::string& text, const fs::path& path) {
     const std::string file = printable(path.string(), 4096);
-    const Json json = parse(read_file(path, most_bytes), file);
+    const Json json = parse(text, file);
     check_version(json, file);
     Session session;
     FieldReader whole(json, file);
@@ -139,12 +141,14 @@ Session read_session(const fs::path& path) {
     return session;
 }
 
-void write_session(const fs::path& path, const Session& session) {
+void write_session(const fs::path& path, const Session& session) { write_file(path, session_text(path, session)); }
+
+std::string session_text(const fs::path& path, const Session& session) {
     Session named = session;
     named.scene = scene_named_from(path.parent_path(), session.scene);
     const Json json{{version_key, version}, {"settings", settings_json(named, named.view)}};
     try {
-        write_file(path, json.dump(2) + "\n");
+        return json.dump(2) + "\n";
     } catch (const Json::exception&) {
         throw InputError(fmt::format("{}: the scene's path '{}' is not UTF-8, which JSON cannot hold; rename the file",
                                      printable(path.string(), 4096), printable(named.scene, 1000)));

@@ -8,6 +8,7 @@
 #include "app/engine/engine.h"
 #include "app/scenes.h"
 #include "app/session_file.h"
+#include "renderer/io/gltf.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/timing.h"
 

@@ -1,5 +1,7 @@
 #include "renderer/io/gltf.h"
 
+#include <algorithm>
+#include <cctype>
 #include <glm/vec4.hpp>
 
 #include "renderer/geometry/input_error.h"
@@ -70,6 +72,12 @@ Scene convert(GltfContext& context, const tinygltf::Model& model) {
 }
 
 }  // namespace
+
+bool names_gltf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
 
 Scene load_gltf(const std::filesystem::path& path, const GltfLimits& limits) {
     return decode_gltf(read_file(path), path, limits);

@@ -9,6 +9,9 @@
 
 namespace kd {
 
+/// True where `path` ends as the name of a glTF file does.
+[[nodiscard]] bool names_gltf(const std::filesystem::path& path);
+
 /// Loads the default scene of a .gltf or .glb file, in its static pose, with meshes, materials (mapped as
 /// renderer/io/gltf_surface.h says), base colour textures, the first perspective camera and punctual lights (scaled as
 /// renderer/io/gltf_view.h says). Files are opened only in the scene's own folder, and nothing is fetched.

@@ -93,11 +93,21 @@ void check_bounds(GltfContext& context, const tinygltf::Accessor& accessor, cons
     }
 }
 
+bool names_extension(const tinygltf::Model& model, std::string_view name) {
+    const auto among = [&](const std::vector<std::string>& list) {
+        return std::ranges::find(list, name) != list.end();
+    };
+    return among(model.extensionsUsed) || among(model.extensionsRequired);
+}
+
 std::vector<Vec3> read_positions(GltfContext& context, const tinygltf::Model& model, int accessor) {
     const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
     if (a.type != TINYGLTF_TYPE_VEC3 || a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
         context.fail(pointer_to("/accessors", static_cast<std::size_t>(accessor)), "positions must be VEC3 of float");
     }
+    if (a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !names_extension(model, "KHR_mesh_quantization"))
+        context.count("read the positions of", "primitive",
+                      ", which are integers though KHR_mesh_quantization is missing");
     std::vector<Vec3> positions = read_vectors<Vec3>(context, model, accessor);
     check_bounds(context, a, positions);
     return positions;

@@ -16,7 +16,8 @@ struct Target {
     Seeds (*seeds)();
 };
 
-constexpr Target targets[] = {{"gltf", gltf, gltf_seeds}, {"rays_csv", rays_csv, rays_csv_seeds}};
+constexpr Target targets[] = {
+    {"gltf", gltf, gltf_seeds}, {"rays_csv", rays_csv, rays_csv_seeds}, {"session", session, session_seeds}};
 
 class Fuzz : public testing::TestWithParam<Target> {
   protected:

@@ -29,7 +29,7 @@ export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=0
 export UBSAN_OPTIONS=print_stacktrace=1
 export LSAN_OPTIONS=suppressions=$root/tests/lsan.supp:print_suppressions=0
 status=0
-for target in gltf rays_csv; do
+for target in gltf rays_csv session; do
     grown=build/fuzz/corpus/$target   # kept from run to run
     found=build/fuzz/findings/$target
     log=build/fuzz/$target.log

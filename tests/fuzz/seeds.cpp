@@ -1,5 +1,6 @@
 #include "tests/fuzz/seeds.h"
 
+#include "app/session_file.h"
 #include "tests/io/gltf_samples.h"
 
 namespace kd::fuzz {
@@ -111,6 +112,34 @@ Seeds rays_csv_seeds() {
             {"hexadecimal.csv", "ox,oy,oz,dx,dy,dz,tmin,tmax\n0x1.8p+1,-0X1p-149,0,0,0,-0x1p+0,0x0p+0,0x1p+60\n"},
             {"special.csv", "tmax,dz,dy,dx,oz,oy,ox\ninf,nan,-inf,1e-60,16777217,-0,1e-45\n"},
             {"spreadsheet.csv", "\xef\xbb\xbf ox ,oy,oz,dx,dy,dz\r\n\r\n1 ,2,3, 4,5,6\r\n"}};
+}
+
+Seeds session_seeds() {
+    const auto text = [](const Session& session) { return session_text("seed.session.json", session); };
+    Session placed;
+    placed.scene = "models/engine.glb";
+    placed.camera = Camera{Vec3(1, -2, 0.1f), Vec3(0), Vec3(0, 0, 1), 45.5f};
+    Session tuned;
+    tuned.build.builder = "exact";
+    tuned.build.empty_bonus = 0.3f;
+    tuned.trace.traversal = Traversal::short_stack;
+    tuned.trace.rules = Rules::first_edition;
+    tuned.trace.forced = FeatureSet(Feature::ropes).with(Feature::normals);
+    Session seen;
+    seen.view.show_map = true;
+    seen.view.map.map = "nodes";
+    seen.view.heat.logarithmic = true;
+    seen.view.heat.range_mode = RangeMode::fixed;
+    seen.view.heat.range_min = 1;
+    seen.view.heat.range_max = 1e6f;
+    seen.view.overlay.show = true;
+    seen.tracer = TracerKind::gl_fragment;
+    return {{"default.session.json", text({})},
+            {"placed.session.json", text(placed)},
+            {"tuned.session.json", text(tuned)},
+            {"seen.session.json", text(seen)},
+            {"least.session.json", "{\"kdscope_session\": 1}"},
+            {"newer.session.json", "{\"kdscope_session\": 2, \"settings\": {}}"}};
 }
 
 }  // namespace kd::fuzz

@@ -12,5 +12,6 @@ using Seeds = std::map<std::string, std::string>;
 
 [[nodiscard]] Seeds gltf_seeds();
 [[nodiscard]] Seeds rays_csv_seeds();
+[[nodiscard]] Seeds session_seeds();
 
 }  // namespace kd::fuzz

@@ -12,4 +12,7 @@ void gltf(std::string_view bytes);
 /// A table of rays: what can be read must come back bit for bit from the text written for it.
 void rays_csv(std::string_view bytes);
 
+/// A session file: what can be read must come back bit for bit from the text written for it.
+void session(std::string_view bytes);
+
 }  // namespace kd::fuzz

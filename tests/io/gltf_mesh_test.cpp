@@ -148,14 +148,30 @@ TEST(GltfMesh, NormalisedIntegersBecomeFractions) {
     EXPECT_EQ(with(builder.add_accessor(signed_bytes, "VEC2", 5120, 3)), (std::vector<Vec2>{{-1, 1}, {-1, 0}, {1, 0}}));
 }
 
-TEST(G11, QuantizedPositionsAreReadAsTheyAre) {
+GltfBuilder quantized_triangle() {
     GltfBuilder builder;
-    builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
     const std::vector<std::int16_t> shorts{0, 0, 0, 0, -300, 0, 7, 0, 0, 40, 1, 0};  // padded to 8 bytes
     builder.add_accessor(shorts, "VEC3", 5122, 3);
     builder.json["bufferViews"][0]["byteStride"] = 8;
     builder.add_primitive({{"POSITION", 0}});
-    EXPECT_EQ(load(builder).meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {-300, 0, 7}, {0, 40, 1}}));
+    return builder;
+}
+
+TEST(G11, QuantizedPositionsAreReadAsTheyAre) {
+    for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+        GltfBuilder builder = quantized_triangle();
+        builder.json[list] = {"KHR_mesh_quantization"};
+        const Scene scene = load(builder);
+        EXPECT_EQ(scene.meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {-300, 0, 7}, {0, 40, 1}}));
+        EXPECT_TRUE(scene.notes.empty()) << list << ": " << scene.notes[0];
+    }
+}
+
+TEST(G11, QuantizedPositionsWithoutTheirExtensionAreReadAndTold) {
+    const Scene scene = load(quantized_triangle());
+    EXPECT_EQ(scene.meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {-300, 0, 7}, {0, 40, 1}}));
+    EXPECT_TRUE(has_note(scene, "read the positions of 1 primitive, which are integers though KHR_mesh_quantization is "
+                                "missing"));
 }
 
 TEST(G11, AttributesThatDoNotFitAreIgnored) {

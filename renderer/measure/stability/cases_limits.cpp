@@ -1,15 +1,13 @@
-// Limits of numbers, stacks, trails and loops: what lies at them works, what lies beyond is refused or flagged.
+// Limits of stacks, trails and loops: what lies at them works, what lies beyond is refused or flagged.
 
-#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/geometry/input_error.h"
 #include "renderer/gl/gl_limits.h"
-#include "renderer/kdtree/encode.h"
 #include "renderer/kdtree/validate.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
+#include "renderer/measure/stability/refusal.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
 
@@ -18,79 +16,6 @@ namespace kd {
 namespace {
 
 constexpr std::size_t full = 1'000'000;
-
-template <class Action>
-std::string refusal(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-void run_float_indices(CaseRun& run) {
-    for (const std::int32_t index : {(1 << 24) - 1, 1 << 24, (1 << 24) + 1}) {
-        KdTree tree;
-        tree.nodes[0].count = 1;
-        tree.nodes[0].link = index;
-        KdTree back;
-        const std::string refused =
-            refusal([&] { back = decode_float4(encode_float4(tree), tree.references, tree.bounds); });
-        const bool right = index > float_index_limit ? !refused.empty() : refused.empty() && back == tree;
-        run.record("nodes", 1, right ? 0 : 1, right ? refused : fmt::format("{} does not come back", index));
-    }
-    const GlLimits large{std::int64_t(1) << 40, 16384};
-    const auto upload = [&](const UploadSizes& sizes) { return refusal([&] { check_upload(sizes, large); }); };
-    const std::int64_t limit = float_index_limit;
-    const bool nodes = upload({.nodes = limit}).empty() && !upload({.nodes = limit + 1}).empty();
-    const bool lists = upload({.references = limit}).empty() && !upload({.references = limit + 1}).empty();
-    run.record("upload", 2, int(!nodes) + int(!lists));
-    // Addresses of triangles are integers: three texels each, up to what the context holds.
-    const GlLimits usual{134'217'728, 16384};
-    const std::int64_t most = usual.buffer_texels / 3;
-    const bool fits = refusal([&] { check_upload({.triangles = most}, usual); }).empty() &&
-                      !refusal([&] { check_upload({.triangles = most + 1}, usual); }).empty();
-    run.record("triangles", 1, fits ? 0 : 1, fmt::format("{} triangles fit 134,217,728 texels", most));
-}
-
-/// Of 2^24 ends of rays one that no other has: normal numbers of every exponent up to 2^124, with all bits of a
-/// mantissa. What a shader may change has no part: denormals, which may become 0, and what lies beyond KD_T_LIMIT,
-/// which is cut.
-float end_of_its_own(std::size_t i) {
-    constexpr std::uint32_t least = 0x00800000, apart = 125, scattering = 0x9e3779;
-    return std::bit_cast<float>(least + apart * (std::uint32_t(i) * scattering % (1u << 24)));
-}
-
-/// Rays that miss give back their t_max through upload, shader and read-back.
-void run_echo(CaseRun& run, std::size_t count) {
-    const Subject subject = run.subject(stress_sphere(8, 4));
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < count; ++i)
-        rays.push_back({Vec3(5, 0, 0), Vec3(1, 0, 0), 0, end_of_its_own(i), int(i)});
-    run.each_answer(subject, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
-        if (hit.triangle != -1 || hit.t != rays[i].t_max)
-            CaseRun::fail(row,
-                          fmt::format("ray {} of {} got the answer of another: {}", i, rays.size(), exact_text(hit)));
-    });
-}
-
-/// Triangle numbers and materials as bits: every triangle is hit by its own ray and must be named.
-void run_numbers(CaseRun& run) {
-    const int cells = run.long_run() ? 708 : 224;
-    const Subject plane = run.subject(grid({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, cells, cells));
-    std::vector<Ray> rays;
-    std::vector<Hit> known;
-    for (const Triangle& t : plane.scene.triangles) {
-        const Vec3 middle = (t.corner[0] + t.corner[1] + t.corner[2]) / 3.0f;
-        rays.push_back(ray_along(middle + Vec3(0, 0, 1), Vec3(0, 0, -1)));
-    }
-    const std::vector<Hit> found = run.loop_hits(plane.scene, rays);
-    std::int64_t wrong = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) wrong += found[i].triangle != int(i);
-    run.record("brute force", std::int64_t(found.size()), wrong);
-    run.check(plane, rays);
-}
 
 /// `depth` triangles at x = 1, 1/2, 1/4, ... and one more at x = 0, each in a leaf of its own at a level of its own.
 /// The nodes lie on one path: the child below each split holds all the rest.
@@ -223,38 +148,6 @@ void run_stuck(CaseRun& run) {
 }
 
 }  // namespace
-
-StabilityCase case_T45() {
-    return {"T45",
-            "Numbers at the end of float",
-            "Node links 2^24 - 1, 2^24, 2^24 + 1 in the tree's float texels; as many nodes, list entries and triangles "
-            "to upload",
-            "exact",
-            "up to 2^24 it comes back exactly, beyond it is refused",
-            run_float_indices};
-}
-
-StabilityCase case_T46() {
-    return {"T46",
-            "Integers through the graphics memory",
-            "100,352 triangles of one plane (1,002,528 in a long run), a ray to the middle of each",
-            "exact: the triangle's own number; brute force",
-            "every number comes back",
-            run_numbers};
-}
-
-StabilityCase case_T47() {
-    return {"T47",
-            "Places at the ends of rows",
-            "Lists of 4095, 4096, 4097, 8193 and 1,677,722 rays (2^24 in a long run) that each answer with a number of "
-            "their own",
-            "exact",
-            "every ray gets its own answer",
-            [](CaseRun& run) {
-                for (const std::size_t count : {4095u, 4096u, 4097u, 8193u}) run_echo(run, count);
-                run_echo(run, run.rays(std::size_t(1) << 24));
-            }};
-}
 
 StabilityCase case_T48() {
     return {

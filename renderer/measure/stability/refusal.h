@@ -1,0 +1,21 @@
+// What cases of refusals ask.
+#pragma once
+
+#include <string>
+
+#include "renderer/geometry/input_error.h"
+
+namespace kd {
+
+/// The text of the InputError that `action` ends with; empty where it does not.
+template <class Action>
+[[nodiscard]] std::string refusal(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace kd
