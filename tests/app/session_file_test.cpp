@@ -14,6 +14,7 @@
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 #include "tests/app/cli_run.h"
+#include "tests/app/session_samples.h"
 
 namespace kd {
 namespace {
@@ -23,72 +24,7 @@ using nlohmann::json;
 using test::expect_usage_error;
 using test::run_kdscope;
 using test::TestFolder;
-
-/// Gives every field that a person chooses another value than its default. A field that is new to one of the structures
-/// does not compile here until it has its place in a list.
-Session unlike_the_default() {
-    Session session;
-    auto& [scene, seed, build, trace, tracer, early_z, camera, view, width, height, threads] = session;
-    scene = "rooms";
-    seed = 4294967295u;
-    auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, max_depth, bad_refines,
-           reference_cap, bins, trim_leaves] = build;
-    builder = "binned";
-    traversal_cost = 0.1f;
-    intersection_cost = 1e6f;
-    empty_bonus = 0.3f;
-    gate = 1;
-    empty_cut = 0.7f;
-    leaf_size = 1 << 20;
-    max_depth = 9;
-    bad_refines = 3;
-    reference_cap = 1.1f;
-    bins = 256;
-    trim_leaves = false;
-    auto& [traversal, rules, leaf_lists, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces, contribution,
-           counters, step_budget, forced] = trace;
-    traversal = Traversal::short_stack;
-    rules = Rules::as_published;
-    leaf_lists = LeafLists::duplicated;
-    short_stack = 8;
-    ropes = false;
-    eye_leaf = true;
-    entry_tile = 16;
-    shadows = false;
-    bounces = 64;
-    contribution = 1.0f / 3;
-    (void)counters;     // neither is a person's choice
-    (void)step_budget;  // and neither is in files
-    forced = FeatureSet(Feature::textures).with(Feature::exact_products);
-    tracer = TracerKind::gl_fragment;
-    early_z = EarlyZ::as_published;
-    camera = Camera{Vec3(0.1f, -0.0f, 1e18f), Vec3(1e-30f, 16777217.0f, 3), Vec3(0, 0, -1), 179.9f};
-    auto& [show_map, map, heat, overlay] = view;
-    show_map = false;
-    auto& [map_name, rays, tile_width, tile_height, schedule] = map;
-    map_name = "t-error";
-    rays = Pass::shade_refl;
-    tile_width = 1;
-    tile_height = 1024;
-    schedule = Schedule::while_while;
-    auto& [colormap, logarithmic, range_mode, range_min, range_max, opacity] = heat;
-    for (const Colormap& other : colormaps())
-        if (other.name != HeatmapConfig{}.colormap) colormap = other.name;
-    logarithmic = true;
-    range_mode = RangeMode::locked;
-    range_min = -0.1f;
-    range_max = 3e38f;
-    opacity = 0.25f;
-    auto& [show, depth, planes, boxes, hidden_line, line_opacity] = overlay;
-    show = true;
-    depth = max_tree_depth;
-    planes = boxes = hidden_line = false;
-    line_opacity = 0.1f;
-    width = 16384;
-    height = 1;
-    threads = 4096;
-    return session;
-}
+using test::unlike_the_default;
 
 TEST(SessionFile, EveryFieldComesBack) {
     const TestFolder folder;
@@ -343,57 +279,6 @@ TEST(SessionFile, SceneFilesBelowItsFolderMoveWithIt) {
     session.scene = "sc\xffne.gltf";
     EXPECT_THROW(write_session(moved / "4.session.json", session), InputError);
     EXPECT_FALSE(fs::exists(moved / "4.session.json"));
-}
-
-TEST(SessionFile, RenderTakesEverythingFromIt) {
-    const TestFolder folder;
-    Session session;
-    session.scene = "cornell";
-    session.width = 40;
-    session.height = 30;
-    session.trace.traversal = Traversal::restart;
-    session.camera = Camera{Vec3(0.25f, 1, 4), Vec3(0, 1, 0), Vec3(0, 1, 0), 40};
-    session.view.map.map = "leaves";
-    session.view.heat.opacity = 1;
-    const std::string file = folder.file("a.session.json");
-    write_session(file, session);
-    ASSERT_EQ(run_kdscope({"render", file, "-o", folder.file("a.png"), "--json", folder.file("a.json")}).code, 0);
-    ASSERT_EQ(run_kdscope({"render", "cornell", "-o", folder.file("b.png"), "--json", folder.file("b.json"), "--size",
-                           "40x30", "--traversal", "restart", "--map", "leaves", "--camera", "0.25,1,4 0,1,0 0,1,0 40"})
-                  .code,
-              0);
-    const json a = json::parse(read_file(folder.file("a.json"))), b = json::parse(read_file(folder.file("b.json")));
-    EXPECT_EQ(a["settings"], b["settings"]);
-    EXPECT_EQ(a["counters"], b["counters"]);
-
-    ASSERT_EQ(run_kdscope({"render", file, "-o", folder.file("d.png"), "--json", folder.file("d.json"), "--size",
-                           "20x15", "--threads", "1"})
-                  .code,
-              0);
-    json larger = json::parse(read_file(folder.file("d.json")))["settings"];
-    EXPECT_EQ(larger["width"], 20);
-    EXPECT_EQ(larger["height"], 15);
-    EXPECT_EQ(larger["threads"], 1);
-    for (const char* key : {"width", "height", "threads"}) larger[key] = a["settings"][key];
-    EXPECT_EQ(larger, a["settings"]);
-
-    expect_usage_error(run_kdscope({"render", file, "-o", folder.file("c.png"), "--map", "t", "--seed", "2"}),
-                       {"--map, --seed", "session file"});
-    for (const char* command : {"stats", "bench", "verify"})
-        expect_usage_error(run_kdscope({command, file}), {"a.session.json: a session file", "view and render"});
-    expect_usage_error(run_kdscope({"view", file, "--builder", "exact"}), {"--builder", "session file"});
-    write_file(file, "{}");
-    expect_usage_error(run_kdscope({file}), {"a.session.json: not a session file"});
-    expect_usage_error(run_kdscope({"render", file, "-o", folder.file("c.png"), "--map", "t"}), {"not a session file"});
-    expect_usage_error(run_kdscope({folder.file("none.json")}), {"none.json", "does not exist"});
-}
-
-TEST(SessionFile, ItsLargestLeafIsOneThatBuildersTake) {
-    const TestFolder folder;
-    write_file(folder.file("a.json"), settings(R"("scene": "cornell", "width": 8, "height": 8,
-                                                   "build": {"leaf_size": 1048576})"));
-    const auto outcome = run_kdscope({"render", folder.file("a.json"), "-o", folder.file("a.png")});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 }  // namespace
