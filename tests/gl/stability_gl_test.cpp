@@ -50,6 +50,9 @@ TEST(Stability, ASpheresVerticesHoldUnderTheRobustRules) {
         EXPECT_EQ(row.mismatches, 0) << row.reason;
         EXPECT_EQ(row.verdict, Verdict::pass);
         EXPECT_DOUBLE_EQ(row.upper95, 3e-5);
+        EXPECT_GT(row.worst_ulp, 0.5) << "of t, which a float rounds";
+        EXPECT_LT(row.worst_ulp, 64) << "of rays that graze nothing";
+        EXPECT_EQ(row.worst_ulp, report.rows[0].worst_ulp) << "the same hits";
     }
 }
 

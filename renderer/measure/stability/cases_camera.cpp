@@ -65,6 +65,7 @@ void run_view(CaseRun& run, const Subject& ball, const View& view) {
         run.check_stop();
         const std::vector<Hit>& hits = frame.layer(Pass::rt_prim).hit.pixels;
         row.n += std::int64_t(rays.size());
+        CaseRun::tell_error_of_t(ball.scene, rays, hits, row);
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (!bit_equal(hits[i], expected[i]))
                 CaseRun::fail(row, fmt::format("{}: ray {}: expected {}, found {}", name, exact_text(rays[i]),
@@ -154,15 +155,20 @@ void run_long(CaseRun& run) {
     constexpr int size = 8, frames_per_turn = 100;
     const Subject ball = run.subject(stress_sphere(20, 10));
     run.each(ball, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-        const auto at = [&](int frame) {
-            run.check_stop();
+        const auto lens = [&](int frame) {
             const double turn = 2 * M_PI * (frame % frames_per_turn) / frames_per_turn;
             Camera camera = ball.scene.camera;
             camera.eye = Vec3(float(3 * std::cos(turn)), 1, float(3 * std::sin(turn)));
-            return machine.frame(trace, pinhole(camera, size, size), size, size, run.stop());
+            return pinhole(camera, size, size);
+        };
+        const auto at = [&](int frame) {
+            run.check_stop();
+            return machine.frame(trace, lens(frame), size, size, run.stop());
         };
         const Frame first = at(0);
-        for (int i = 1; i < frames_per_turn; ++i) (void)at(i);  // until caches are full
+        for (int i = 0; i < frames_per_turn; ++i)  // until caches are full
+            CaseRun::tell_error_of_t(ball.scene, pixel_rays(lens(i), size, size), at(i).layer(Pass::rt_prim).hit.pixels,
+                                     row);
         const std::int64_t bytes = resident_bytes();
         const int objects = machine.live_objects();
         const int frames = int(run.rays(100'000)) / frames_per_turn * frames_per_turn;

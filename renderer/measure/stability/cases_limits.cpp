@@ -174,6 +174,7 @@ void run_naive(CaseRun& run, int count) {
         const std::string refused = refusal([&] { (void)machine.trace(naive, rays, false, hits, {}, run.stop()); });
         run.check_stop();
         row.n += std::int64_t(rays.size());
+        if (refused.empty()) CaseRun::tell_error_of_t(soup.scene, rays, hits, row);
         const bool fits = machine.tracer() == "cpu" || count <= gl_step_budget;
         if (fits != refused.empty())
             CaseRun::fail(row, fmt::format("{} triangles: {}", count, fits ? refused : "not refused"));
@@ -222,6 +223,7 @@ void run_stuck(CaseRun& run) {
         const std::int64_t flagged = std::ranges::count_if(counters, is_flagged);
         fewest = std::min(fewest, flagged);
         row.n += std::int64_t(rays.size());
+        CaseRun::tell_error_of_t(city.scene, rays, hits, row);
         row.reason = fmt::format("{} of {} flagged and traced again on the CPU", flagged, rays.size());
         if (flagged == 0) CaseRun::fail(row, "no ray was flagged");
         for (std::size_t i = 0; i < rays.size(); ++i) {

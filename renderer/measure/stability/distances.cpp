@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "renderer/measure/oracle.h"
+
 namespace kd {
 
 namespace {
@@ -36,6 +38,13 @@ double distance_to_edges(const Ray& ray, const Triangle& triangle) {
         corner = from - direction * glm::dot(from, direction);
     }
     return distance_to_edges(glm::dvec3(0.0), seen);
+}
+
+double ulps_off_plane(const Ray& ray, const Triangle& triangle, double t) {
+    using Wide = glm::vec<3, long double>;
+    const Wide a(triangle.corner[0]);
+    const Wide normal = glm::cross(Wide(triangle.corner[1]) - a, Wide(triangle.corner[2]) - a);
+    return ulps_between(t, glm::dot(normal, a - Wide(ray.origin)) / glm::dot(normal, Wide(ray.direction)));
 }
 
 }  // namespace kd
