@@ -1,4 +1,4 @@
-// Cameras, lights and long runs.
+// Cameras and long runs.
 
 #include <cmath>
 #include <cstring>
@@ -14,7 +14,6 @@
 #include "renderer/measure/pixel_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
-#include "renderer/scene/parts.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
 
@@ -106,30 +105,6 @@ void run_parallel_up(CaseRun& run) {
     run.record("basis", std::int64_t(count), wrong, wrong > 0 ? "right, up and forward are not at right angles" : "");
 }
 
-void run_lights(CaseRun& run) {
-    const Subject plain = run.subject(stress_sphere(20, 10));
-    const Vec3 vertex = plain.scene.triangles[50].corner[0];
-    for (const Vec3 at : {vertex, Vec3(0.0f), Vec3(0, 0, 1.5f)})
-        for (const Vec2 attenuation : {Vec2(1, 0), Vec2(0, 1), Vec2(0, 0)})
-            for (const float shininess : {0.0f, 1.0f, 1e6f}) {
-                FlatScene scene = plain.scene;
-                scene.lights = {point_light(at, Vec3(1), attenuation)};
-                scene.materials = {glossy(Vec3(0.5f), 0.5f, shininess)};
-                const Subject subject{scene, plain.tree, plain.built};
-                run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-                    const int size = run.side(200);  // a million pixels in all
-                    const Frame frame = machine.frame(trace, pinhole(scene.camera, size, size), size, size, run.stop());
-                    run.check_stop();
-                    row.n += std::int64_t(size) * size;
-                    const auto sound = [](float channel) { return std::isfinite(channel) && channel >= 0; };
-                    for (const Vec4& c : frame.colour.pixels)
-                        if (!(sound(c.x) && sound(c.y) && sound(c.z)))
-                            CaseRun::fail(
-                                row, fmt::format("a colour of {},{},{} with exponent {}", c.x, c.y, c.z, shininess));
-                });
-            }
-}
-
 /// Of this process, in bytes; 0 where the system does not say or a sanitizer keeps freed memory.
 std::int64_t resident_bytes() {
 #if defined(__linux__) && !defined(KD_SANITIZED)
@@ -202,15 +177,6 @@ StabilityCase case_T59() {
             "exact",
             "right, up and forward at right angles within 1e-6",
             run_parallel_up};
-}
-
-StabilityCase case_T60() {
-    return {"T60",
-            "Lights where they should not be",
-            "A light on a vertex, inside and outside a sphere, falling off by 1, 1/r^2 and 1/0; exponents 0, 1 and 1e6",
-            "exact",
-            "every colour finite and not negative",
-            run_lights};
 }
 
 StabilityCase case_T61() {
