@@ -145,6 +145,7 @@ TEST(Stability, AnExemptionExcusesWhatWasGivenUpAndNothingElse) {
         GTEST_SKIP() << "NO CONTEXT: " << error.what();
     }
     for (const StabilityRow& row : run_stability(config).rows) {
+        if (row.tracer == "-") continue;  // its picture
         EXPECT_EQ(row.given_up, row.mismatches) << row.reason;
         EXPECT_EQ(row.verdict, row.tracer == "cpu" ? Verdict::pass : Verdict::exempt) << row.reason;
     }
@@ -159,6 +160,7 @@ TEST(Stability, AnExemptionExcusesWhatWasGivenUpAndNothingElse) {
     config.cases = {"T24"};
     config.rules = Rules::as_published;  // wrong without a flag
     for (const StabilityRow& row : run_stability(config).rows) {
+        if (row.tracer == "-") continue;
         EXPECT_LT(row.given_up, row.mismatches);
         EXPECT_EQ(row.verdict, Verdict::fail) << row.tracer;
     }

@@ -198,6 +198,8 @@ TEST(Distances, TIsOffThePlaneOfTheTriangleFoundByUlpsOfTheExactOne) {
     EXPECT_EQ(ulps_off_plane(ray, t, exact + 0x1p-6 * ulp), 0x1p-6);
     const Ray along{Vec3(9, 0.25f, 0), Vec3(1, 0, 0), 0, KD_T_LIMIT, -1};
     EXPECT_TRUE(std::isinf(ulps_off_plane(along, t, 1))) << "it is never met";
+    const Ray within{Vec3(9, 0.25f, 5.25f), Vec3(0, 0, 2), 0, KD_T_LIMIT, -1};
+    EXPECT_TRUE(std::isinf(ulps_off_plane(within, t, 1e-7))) << "0 has no last place";
 }
 
 TEST(StressScenes, EveryCaseHasOneOrSaysThatItHasNone) {

@@ -19,8 +19,8 @@ using Corners = std::array<glm::dvec3, 3>;
 [[nodiscard]] double distance_to_edges(const Ray& ray, const Triangle& triangle);
 
 /// How far `t` is from where the ray meets the triangle's plane, in extended precision: in units in the last place of a
-/// float there. Infinite where the ray never meets it. So it is the error of the arithmetic alone, whichever triangle
-/// was found.
+/// float there. Infinite where the ray never meets it, or at 0, which has no last place. So it is the error of the
+/// arithmetic alone, whichever triangle was found.
 [[nodiscard]] double ulps_off_plane(const Ray& ray, const Triangle& triangle, double t);
 
 }  // namespace kd
