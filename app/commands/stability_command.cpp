@@ -89,7 +89,7 @@ void print(std::ostream& out, const StabilityReport& report) {
     for (const StabilityRow& row : report.rows)
         table.add_row({row.id, row.tracer, row.context, row.traversal, fmt::format("{}", row.n),
                        fmt::format("{}", row.mismatches), fmt::format("{:.1e}", row.upper95),
-                       row.worst_ulp >= 0 ? fmt::format("{:.2f}", row.worst_ulp) : "-",
+                       row.worst_ulp >= 0 ? fmt::format("{:.3g}", row.worst_ulp) : "-",
                        fmt::format("{:.2f}", row.seconds), name_of(row.verdict)});
     table.print(out);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
@@ -211,7 +211,9 @@ Command stability_command() {
         "stability", "Runs the cases that break ray tracers, on every traversal and tracer",
         "Each case has its construction, its oracle and what is accepted (--list). A mismatch is a hit, distance or\n"
         "barycentric that differs from brute force in any bit, or what the case itself forbids. Exit code 1 where\n"
-        "any case fails.\n\n"
+        "any case fails. 'worst ulp' is how far a hit's t is from the plane of its triangle, in units in the last "
+        "place\n"
+        "of t: it is told, not judged, and large where planes are grazed or t is nearly 0.\n\n"
         "Examples:\n"
         "  kdscope stability\n"
         "  kdscope stability --case T15,T16 --long\n"

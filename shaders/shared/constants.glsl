@@ -38,6 +38,9 @@ KD_CONST(real) KD_T_PADDING = real(4e-7);
 // Rendering, section 3.9).
 KD_CONST(real) KD_GAMMA_7 = real(4.172327e-7);
 
+// Least that a light's colour is divided by: finite for a light that lies on the surface.
+KD_CONST(real) KD_LEAST_FALLOFF = real(1e-6);
+
 // Largest t and coordinate magnitude of a valid ray; leaves room for the padding below overflow.
 KD_CONST(real) KD_T_LIMIT = real(3e38);
 KD_CONST(real) KD_COORDINATE_LIMIT = real(1.844e18);

@@ -22,8 +22,7 @@ KD_FN LightSample sample_light(IN(Light) light, real3 position)
     PRECISE real squared = dot3(towards, towards);
     s.distance = square_root(squared);
     s.direction = normalise3(towards);
-    // Kept finite for a light that lies on the surface.
-    PRECISE real falloff = max(light.attenuation.x + light.attenuation.y * squared, real(1e-6));
+    PRECISE real falloff = max(light.attenuation.x + light.attenuation.y * squared, KD_LEAST_FALLOFF);
     PRECISE real strength = real(1) / falloff;
     if (light.range > real(0) && s.distance > light.range) strength = real(0);
     if (scene_has_spot_lights() && light.kind == KD_LIGHT_SPOT) {

@@ -153,7 +153,7 @@ TEST(Stability, RowsHaveTheAgreedKeys) {
     EXPECT_EQ(row["mismatches"], 0);
     EXPECT_DOUBLE_EQ(row["upper95"].get<double>(), 3.0 / row["n"].get<double>());
     EXPECT_EQ(row["verdict"], "pass");
-    EXPECT_TRUE(row["worst_ulp"].is_null()) << "T16 holds no t against anything";
+    EXPECT_GT(row["worst_ulp"], 0) << "of hits off the planes of their triangles";
 }
 
 TEST(Stability, PublishedRulesFailAndSayWhere) {

@@ -19,7 +19,7 @@ namespace {
 using test::expect_usage_error;
 using test::run_kdscope;
 
-/// Of the only row of a case: what the table and the JSON say.
+/// Of the first row of a case: what the table and the JSON say.
 std::pair<std::string, Json> worst_ulp_of(const std::string& id) {
     std::vector<std::string> arguments{"stability", "--case", id, "--tracer", "cpu", "--traversal", "stack"};
     std::istringstream table(run_kdscope(arguments).out);
@@ -27,19 +27,23 @@ std::pair<std::string, Json> worst_ulp_of(const std::string& id) {
     for (std::string line; std::getline(table, line);) {
         std::istringstream row(line);
         const std::vector<std::string> cells{std::istream_iterator<std::string>(row), {}};
-        if (cells.size() == 10 && cells[0] == id) cell = cells[7];
+        if (cell.empty() && cells.size() == 10 && cells[0] == id) cell = cells[7];
     }
     arguments.emplace_back("--json");
     return {cell, Json::parse(run_kdscope(arguments).out)["cases"][0]["worst_ulp"]};
 }
 
-TEST(Stability, TheWorstErrorOfTIsToldOnlyWhereItWasMeasured) {
+TEST(Stability, TheWorstErrorOfTIsToldWhereverSomethingIsHit) {
     const auto [no_cell, no_number] = worst_ulp_of("T36");
     EXPECT_EQ(no_cell, "-");
     EXPECT_TRUE(no_number.is_null()) << no_number;
     const auto [cell, number] = worst_ulp_of("T02");
     ASSERT_TRUE(number.is_number()) << number;
-    EXPECT_EQ(cell, fmt::format("{:.2f}", number.get<double>()));
+    EXPECT_EQ(cell, fmt::format("{:.3g}", number.get<double>()));
+    // Rays that graze a plane meet it far from where they exactly do.
+    const auto [large_cell, large] = worst_ulp_of("T27");
+    EXPECT_GT(large, 1e4);
+    EXPECT_NE(large_cell.find("e+"), std::string::npos) << large_cell;
 }
 
 TEST(StressScenes, AreScenesWhereverOneIsTaken) {

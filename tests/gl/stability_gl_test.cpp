@@ -50,6 +50,9 @@ TEST(Stability, ASpheresVerticesHoldUnderTheRobustRules) {
         EXPECT_EQ(row.mismatches, 0) << row.reason;
         EXPECT_EQ(row.verdict, Verdict::pass);
         EXPECT_DOUBLE_EQ(row.upper95, 3e-5);
+        EXPECT_GT(row.worst_ulp, 0.5) << "of t, which a float rounds";
+        EXPECT_LT(row.worst_ulp, 64) << "of rays that graze nothing";
+        EXPECT_EQ(row.worst_ulp, report.rows[0].worst_ulp) << "the same hits";
     }
 }
 
@@ -142,6 +145,7 @@ TEST(Stability, AnExemptionExcusesWhatWasGivenUpAndNothingElse) {
         GTEST_SKIP() << "NO CONTEXT: " << error.what();
     }
     for (const StabilityRow& row : run_stability(config).rows) {
+        if (row.tracer == "-") continue;  // its picture
         EXPECT_EQ(row.given_up, row.mismatches) << row.reason;
         EXPECT_EQ(row.verdict, row.tracer == "cpu" ? Verdict::pass : Verdict::exempt) << row.reason;
     }
@@ -156,6 +160,7 @@ TEST(Stability, AnExemptionExcusesWhatWasGivenUpAndNothingElse) {
     config.cases = {"T24"};
     config.rules = Rules::as_published;  // wrong without a flag
     for (const StabilityRow& row : run_stability(config).rows) {
+        if (row.tracer == "-") continue;
         EXPECT_LT(row.given_up, row.mismatches);
         EXPECT_EQ(row.verdict, Verdict::fail) << row.tracer;
     }

@@ -189,6 +189,19 @@ TEST(Distances, ARayIsAsFarFromEdgesAsItLooks) {
     EXPECT_NEAR(distance_to_edges(glm::dvec3(1, 0, 5), corners_of(t)), 0, 1e-12);
 }
 
+TEST(Distances, TIsOffThePlaneOfTheTriangleFoundByUlpsOfTheExactOne) {
+    const Triangle t{{Vec3(0, 0, 5), Vec3(4, 0, 5), Vec3(0, 4, 9)}};  // z = 5 + y
+    const Ray ray{Vec3(9, 0.25f, 0), Vec3(0, 0, 2), 0, KD_T_LIMIT, -1};
+    constexpr double exact = 2.625, ulp = 0x1p-22;
+    EXPECT_EQ(ulps_off_plane(ray, t, exact), 0) << "the plane goes on beyond the triangle";
+    EXPECT_EQ(ulps_off_plane(ray, t, exact - 3 * ulp), 3);
+    EXPECT_EQ(ulps_off_plane(ray, t, exact + 0x1p-6 * ulp), 0x1p-6);
+    const Ray along{Vec3(9, 0.25f, 0), Vec3(1, 0, 0), 0, KD_T_LIMIT, -1};
+    EXPECT_TRUE(std::isinf(ulps_off_plane(along, t, 1))) << "it is never met";
+    const Ray within{Vec3(9, 0.25f, 5.25f), Vec3(0, 0, 2), 0, KD_T_LIMIT, -1};
+    EXPECT_TRUE(std::isinf(ulps_off_plane(within, t, 1e-7))) << "0 has no last place";
+}
+
 TEST(StressScenes, EveryCaseHasOneOrSaysThatItHasNone) {
     int scenes = 0;
     for (const StabilityCase& info : stability_cases()) {

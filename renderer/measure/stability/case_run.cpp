@@ -8,6 +8,7 @@
 #include "renderer/kdtree/validate.h"
 #include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
+#include "renderer/measure/stability/distances.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
@@ -102,7 +103,10 @@ void CaseRun::each_answer(const Subject& subject, const std::vector<Ray>& rays, 
         std::vector<Hit> hits(rays.size());
         (void)machine.trace(trace, rays, false, hits, {}, stop_);
         check_stop();
-        if (counted == Counted::here) r.n += std::int64_t(rays.size());
+        if (counted == Counted::here) {
+            r.n += std::int64_t(rays.size());
+            tell_error_of_t(subject.scene, rays, hits, r);
+        }
         for (std::size_t i = 0; i < rays.size(); ++i) judge(i, hits[i], r);
     });
 }
@@ -154,6 +158,7 @@ void CaseRun::check_machine(const Reference& reference, const Expectation& expec
     (void)machine.trace(trace, rays, false, found.nearest, found.counters, stop_);
     (void)machine.trace(trace, rays, true, found.any, any_counters, stop_);
     check_stop();
+    tell_error_of_t(reference.scene, rays, found.nearest, r);
     if (exempt) excuse_given_up(reference, any_counters, found, r);
     VerifyRow compared;
     compare_hits(reference.scene, reference.loop, found, compared);
@@ -192,9 +197,6 @@ void CaseRun::judge_exact(const Reference& reference, const std::vector<Hit>& fo
     const FlatScene& scene = reference.scene;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const HitError error = expectation.against_double->judge(found[i], reference.exact[i]);
-        const bool same_place = error.verdict == HitVerdict::agrees || error.verdict == HitVerdict::wrong_t ||
-                                error.ulps <= expectation.against_double->tie_ulps;
-        if (same_place && std::isfinite(error.ulps)) r.worst_ulp = std::max(r.worst_ulp, error.ulps);
         if (!is_wrong(error.verdict)) continue;
         fail(r, fmt::format("{}{} by {:.3g} ulp: ray {}: in double {}; found {}", expectation.what,
                             name_of(error.verdict), error.ulps, exact_text(scene, reference.loop.rays[i]),
@@ -208,6 +210,15 @@ void CaseRun::record(std::string_view what, std::int64_t n, std::int64_t mismatc
     if (r.reason.empty() || (r.mismatches == 0 && mismatches > 0)) r.reason = reason;
     r.n += n;
     r.mismatches += mismatches;
+}
+
+void CaseRun::tell_error_of_t(const FlatScene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+                              StabilityRow& r) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (hits[i].triangle < 0) continue;
+        const double ulps = ulps_off_plane(rays[i], scene.triangles[std::size_t(hits[i].triangle)], double(hits[i].t));
+        if (std::isfinite(ulps)) r.worst_ulp = std::max(r.worst_ulp, ulps);
+    }
 }
 
 void CaseRun::fail(StabilityRow& r, const std::string& reason) {

@@ -82,6 +82,11 @@ class CaseRun {
     /// A row of its own, for what no traversal takes part in: `mismatches` of `n`, and why.
     void record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason = {});
 
+    /// Tells the row how far t of these hits is off the planes of their triangles. It is told, not judged: a plane that
+    /// is grazed, or where t is nearly 0, is met far from where it exactly is in units of the last place of t.
+    static void tell_error_of_t(const FlatScene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+                                StabilityRow& row);
+
     /// Adds one failure to a row, with the text of the first.
     static void fail(StabilityRow& row, const std::string& reason);
 

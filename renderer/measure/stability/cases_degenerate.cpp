@@ -51,16 +51,19 @@ void run_one_triangle(CaseRun& run) {
         if (p.x > 0 && p.y > 0 && p.x + p.y < 1) rays.push_back(ray_to({0, 0, -1}, p));
     }
     run.check(one, rays);
-    run.each_answer(one, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+    double most = 0;
+    const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
         const Vec3 target = rays[i].origin + rays[i].direction;
         const Vec3 along = rays[i].origin + hit.t * rays[i].direction;
         const Vec3 lost = glm::abs(along - Vec3(hit.u, hit.v, 0));
         const float worst = std::max(
             {std::abs(hit.u - target.x), std::abs(hit.v - target.y), std::abs(hit.t - 1), lost.x, lost.y, lost.z});
-        row.worst_ulp = std::max(row.worst_ulp, double(worst) * 0x1p23);
+        most = std::max(most, double(worst) * 0x1p23);
         if (hit.triangle != 0 || !(worst <= bound))
             CaseRun::fail(row, fmt::format("off by {:.3g} ulp of 1: ray {}", worst * 0x1p23f, exact_text(rays[i])));
-    });
+    };
+    run.each_answer(one, rays, judge);
+    run.record("u, v, t, point", std::int64_t(rays.size()), 0, fmt::format("at most {:.3g} ulp of 1 off", most));
 }
 
 void run_two_the_same(CaseRun& run) {

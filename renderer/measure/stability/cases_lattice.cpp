@@ -82,7 +82,6 @@ void check_first_faces(CaseRun& run, const Subject& city, const std::vector<Ray>
         const double exact = first_face(rays[i]);
         const bool found = hit.triangle >= 0;
         const double ulps = found && exact >= 0 ? ulps_between(hit.t, exact) : 0;
-        row.worst_ulp = std::max(row.worst_ulp, ulps);
         if (found != (exact >= 0) || ulps > 4)
             CaseRun::fail(row,
                           fmt::format("exactly {}, found {}: ray {}", exact, exact_text(hit), exact_text(rays[i])));

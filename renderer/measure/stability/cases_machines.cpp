@@ -36,6 +36,7 @@ void run_machines(CaseRun& run) {
         (void)machine.trace(trace, rays, false, found.hits, found.counters, run.stop());
         run.check_stop();
         row.n += std::int64_t(rays.size());
+        CaseRun::tell_error_of_t(ball.scene, rays, found.hits, row);
         const auto [known, is_first] = first.try_emplace(trace.traversal, found);
         if (is_first) return;
         for (std::size_t i = 0; i < rays.size(); ++i)

@@ -1,4 +1,4 @@
-// Scenes far from the origin, very large, very small, and both at once: no length is built into the tracer.
+// Scenes far from the origin, very large and very small: no length is built into the tracer.
 
 #include <cmath>
 #include <fmt/format.h>
@@ -153,45 +153,6 @@ void run_tiny(CaseRun& run) {
     }
 }
 
-constexpr float speck_radius = 1e-3f;
-
-/// A closed room of 12 triangles, which come last, around a sphere of 2 x columns x rows of them.
-std::vector<Triangle> speck_in_room(int columns, int rows, float half) {
-    std::vector<Triangle> room = stress_sphere(columns, rows + 1, speck_radius);
-    for (int axis = 0; axis < 3; ++axis)
-        for (const float side : {-half, half}) {
-            Vec3 corner(-half), u(0.0f), v(0.0f);
-            corner[axis] = side;
-            u[(axis + 1) % 3] = 2 * half;
-            v[(axis + 2) % 3] = 2 * half;
-            for (const Triangle& t : grid(corner, u, v, 1, 1)) room.push_back(t);
-        }
-    return room;
-}
-
-/// To within the speck, from within `reach` of it along each axis.
-Ray ray_at_speck(Random& random, float reach) {
-    const Vec3 eye = random_point(random, -reach, reach);
-    return ray_to(eye, random_point(random, -speck_radius, speck_radius));
-}
-
-void run_speck_in_room(CaseRun& run) {
-    constexpr float half = 5e3f;
-    const Subject subject = run.subject(speck_in_room(100, 50, half));
-    std::vector<Ray> near, across;
-    for (std::size_t i = 0; i < run.rays(10'000, 2); ++i) {
-        near.push_back(ray_at_speck(run.random(), 4 * speck_radius));
-        across.push_back(ray_at_speck(run.random(), half));
-    }
-    Expectation e;
-    e.every_ray_hits = true;
-    e.what = "across the room: ";
-    run.check(subject, across, e);
-    e.against_double = HitJudge{};
-    e.what = "near the sphere: ";
-    run.check(subject, near, e);
-}
-
 }  // namespace
 
 StabilityCase case_T18() {
@@ -291,36 +252,6 @@ StabilityCase case_T23() {
             "brute force, double precision; every ray hits where no triangle was dropped",
             "0 mismatches, every dropped triangle told",
             run_tiny};
-}
-
-StabilityCase case_T24() {
-    return {
-        "T24",
-        "Teapot in a stadium",
-        "A sphere of 10,000 triangles and radius 0.001 in the middle of a room of size 10,000; 1000 rays (10,000 in a "
-        "long run) from near the sphere and from across the room",
-        "brute force; double precision for rays from near",
-        "0 mismatches, every ray hits, t within 64 ulp",
-        run_speck_in_room,
-        "a ray's slack is a fraction of the whole room and larger than the sphere, so that a walk visits every "
-        "cell around "
-        "it; on OpenGL some need more steps than a shader is sure of and are flagged, never silently wrong"};
-}
-
-Sweep sweep_T24() {
-    return {"T24",
-            "size of the room",
-            "spheres",
-            true,
-            {10, 100, 1e3, 1e4, 1e5, 1e6, 1e7},
-            [](double ratio, std::size_t n, Random& random) {
-                const auto half = float(ratio) * speck_radius;
-                SweepScene made{speck_in_room(50, 25, half), {}, {}, true};
-                for (std::size_t i = 0; i < std::min<std::size_t>(n, 1000); ++i)
-                    made.rays.push_back(ray_at_speck(random, i % 2 ? half : 4 * speck_radius));
-                made.camera = camera_at(Vec3(1, 0.7f, 1.4f) * 2.0f * speck_radius, Vec3(0.0f));
-                return made;
-            }};
 }
 
 }  // namespace kd

@@ -8,6 +8,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/double_path.h"
 #include "renderer/measure/path_rays.h"
+#include "renderer/measure/pixel_rays.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
 #include "renderer/scene/parts.h"
@@ -45,6 +46,7 @@ using JudgeFrame = std::function<void(const Frame&, StabilityRow&)>;
 /// A square frame by every traversal and machine, whose colours must be finite, to be judged.
 void each_frame(CaseRun& run, const Subject& subject, int size, int bounces, const JudgeFrame& judge) {
     const PinholeCamera camera = pinhole(subject.scene.camera, size, size);
+    const std::vector<Ray> rays = pixel_rays(camera, size, size);
     run.each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
         TraceConfig config = trace;
         config.reflection_depth = bounces;
@@ -52,6 +54,7 @@ void each_frame(CaseRun& run, const Subject& subject, int size, int bounces, con
         const Frame frame = machine.frame(config, camera, size, size, run.stop());
         run.check_stop();
         row.n += std::int64_t(size) * size;
+        CaseRun::tell_error_of_t(subject.scene, rays, frame.layer(Pass::rt_prim).hit.pixels, row);
         if (!is_finite(frame)) CaseRun::fail(row, "a colour is not finite");
         judge(frame, row);
     });

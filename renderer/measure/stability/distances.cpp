@@ -1,7 +1,11 @@
 #include "renderer/measure/stability/distances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+
+#include "renderer/measure/oracle.h"
 
 namespace kd {
 
@@ -36,6 +40,15 @@ double distance_to_edges(const Ray& ray, const Triangle& triangle) {
         corner = from - direction * glm::dot(from, direction);
     }
     return distance_to_edges(glm::dvec3(0.0), seen);
+}
+
+double ulps_off_plane(const Ray& ray, const Triangle& triangle, double t) {
+    using Wide = glm::vec<3, long double>;
+    const Wide a(triangle.corner[0]);
+    const Wide normal = glm::cross(Wide(triangle.corner[1]) - a, Wide(triangle.corner[2]) - a);
+    const long double exact = glm::dot(normal, a - Wide(ray.origin)) / glm::dot(normal, Wide(ray.direction));
+    if (std::abs(exact) < std::numeric_limits<float>::min()) return std::numeric_limits<double>::infinity();
+    return ulps_between(t, exact);
 }
 
 }  // namespace kd

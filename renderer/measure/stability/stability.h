@@ -52,7 +52,7 @@ struct StabilityRow {
     std::int64_t n = 0, mismatches = 0;
     std::int64_t given_up = 0;  // of the mismatches: flagged at the step budget, in a case that is exempt for that
     double upper95 = 0;         // 95 % upper bound of the share of mismatches; 3/n where there is none
-    double worst_ulp = -1;      // of t, where the case compares it with something exact; negative where nothing was
+    double worst_ulp = -1;      // of t, off the plane of the triangle that was found; negative where none was
     double seconds = 0;         // of tracing and comparing, without the oracle
     Verdict verdict = Verdict::pass;
     std::string reason;  // the first failure, or what was measured; a failing ray in exact hexadecimal floats

@@ -2,25 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include "renderer/measure/oracle.h"
 #include "renderer/measure/stability/distances.h"
 
 namespace kd {
-
-namespace {
-
-using Wide = glm::vec<3, long double>;
-
-/// Where the ray meets the triangle's plane; not finite where it never does.
-long double plane_distance(const Ray& ray, const Triangle& t) {
-    const Wide a(t.corner[0]);
-    const Wide normal = glm::cross(Wide(t.corner[1]) - a, Wide(t.corner[2]) - a);
-    return glm::dot(normal, a - Wide(ray.origin)) / glm::dot(normal, Wide(ray.direction));
-}
-
-}  // namespace
 
 SweepJudge::SweepJudge(const FlatScene& scene, std::span<const Ray> rays, bool every_ray_hits, int threads,
                        std::stop_token stop)
@@ -41,7 +28,7 @@ SweepFault SweepJudge::judge(std::size_t ray, int triangle, double t) const {
         fault.missed = every_ray_hits_ || (exact.triangle >= 0 && !near_edge(ray, exact.triangle));
         return fault;
     }
-    const double ulps = ulps_between(t, plane_distance(rays_[ray], scene_.triangles[std::size_t(triangle)]));
+    const double ulps = ulps_off_plane(rays_[ray], scene_.triangles[std::size_t(triangle)], t);
     if (std::isfinite(ulps)) fault.ulps = ulps;
     if (triangle == exact.triangle) return fault;
     if (exact.triangle < 0) {
