@@ -106,7 +106,8 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
         time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});
     for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].timed = times[i];
     const auto gl = std::ranges::find(tracers, TracerKind::gl_fragment, &OpenTracer::first);
-    bench.on = measured_on(s.threads, s.seed, gl == tracers.end() ? nullptr : gl->second.get());
+    bench.on = measured_on(in_scene_units(s, bench.scene), {"scene", "tracer", "traversal"},
+                           gl == tracers.end() ? nullptr : gl->second.get());
 }
 
 BenchScene open(const BenchOptions& options, const std::string& name, CommandContext& context) {

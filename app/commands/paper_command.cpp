@@ -39,7 +39,7 @@ PaperConfig config_for(const CLI::App& app, const PaperOptions& options) {
     config.base.trace.rules = given.trace.rules;
     config.context = options.context.value_or(ContextKind::automatic);
     config.gpu = !options.tracer || *options.tracer != TracerKind::cpu;
-    if (options.seconds > 0) config.budget_s = options.seconds;
+    if (options.seconds > 0) config.budget_s = config.longest_s = options.seconds;
     return config;
 }
 
@@ -101,7 +101,7 @@ Command paper_command() {
     return {
         "paper", "Makes the paper's experiments again: figures, tables, a verdict on each claim",
         "Sections 4.1 to 4.3 of \"An Analysis of GPU-based Interactive Raytracing\" at 512x512, on one CPU thread and\n"
-        "through the four passes: about seven minutes on two cores. The page is FOLDER/index.html; figures are SVG\n"
+        "through the four passes: four to seven minutes on two cores. The page is FOLDER/index.html; figures are SVG\n"
         "(drawn by gnuplot) and CSV, and every number of the page stands in one of the tables.\n\n"
         "Examples:\n"
         "  kdscope paper -o out/paper\n"

@@ -41,8 +41,17 @@ const char* name_of(Verdict verdict) {
     return "exempt";
 }
 
+/// "T14" of " t14".
+std::string canonical(const std::string& id) {
+    std::string found;
+    for (const unsigned char c : id)
+        if (!std::isspace(c)) found += char(std::toupper(c));
+    return found;
+}
+
 StabilityConfig config_for(const StabilityOptions& options) {
     StabilityConfig config = options.config;
+    for (std::string& id : config.cases) id = canonical(id);
     config.rules = options.session.trace.rules;
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
     config.threads = options.session.threads;
@@ -112,16 +121,14 @@ void print_list(std::ostream& out) {
     for (const StabilityCase& info : stability_cases()) {
         out << fmt::format("{}  {}\n     {}\n     against {}; accepted: {}\n", info.id, info.title, info.construction,
                            info.oracle, info.acceptance);
-        if (const Sweep* sweep = find_sweep(info.id))
-            out << fmt::format("     sweep: {} from {:g} to {:g} {}\n", sweep->parameter, sweep->values.front(),
-                               sweep->values.back(), sweep->unit);
+        if (const Sweep* sweep = find_sweep(info.id)) out << fmt::format("     sweep: {}\n", range_text(*sweep));
     }
 }
 
 SweepConfig sweep_config(const StabilityOptions& options) {
     const StabilityConfig whole = config_for(options);
     SweepConfig config;
-    config.id = options.sweep;
+    config.id = canonical(options.sweep);
     if (whole.long_run) config.rays *= 10;
     config.traversals = whole.traversals;
     config.cpu = whole.cpu;
@@ -143,7 +150,7 @@ int run_sweep_command(const StabilityOptions& options, CommandContext& context) 
         report = run_sweep(sweep_config(options), show, context.stop);
     }
     check_stop(context);
-    const MeasuredOn on = measured_on(options.session.threads, options.session.seed);
+    const MeasuredOn on = measured_on(options.session.threads, options.session.seed);  // a sweep has no settings
     if (!options.csv.empty()) {
         write_file(options.csv, csv_comments(on.lines()) + sweep_csv(report));
         context.out << fmt::format("wrote {} ({} rows)\n", options.csv, report.rows.size());
@@ -177,10 +184,11 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
     check_stop(context);
     if (report.rows.empty())
         throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
-    if (options.json)
-        context.out << json_text(
-            with_machine(json_of(report), measured_on(options.session.threads, options.session.seed)));
-    else
+    if (options.json) {
+        MeasuredOn on = measured_on(options.session.threads, options.session.seed);
+        on.settings = Json{{"rules", info(report.rules).name}}.dump();
+        context.out << json_text(with_machine(json_of(report), on));
+    } else
         print(context.out, report);
     return report.passed() ? exit_ok : exit_check_failed;
 }

@@ -229,7 +229,8 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
         for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, counted, context, rows);
     }
     bool exact = true;
-    const MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);
+    MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);
+    on.settings = settings_but(common.session, {"scene", "tracer", "traversal"}).dump();
     std::string csv = csv_comments(on.lines()) + csv_head;
     Json all = Json::array();
     for (const Row& row : rows) {

@@ -201,7 +201,7 @@ WalkRequest WalkedScene::request(Traversal traversal, Pass rays) const {
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     const std::vector<TileShape> shapes = shapes_of(options);
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
-    const MeasuredOn on = measured_on(common.session.threads, common.session.seed);
+    const MeasuredOn on = measured_on(common.session, {"scene", "tracer", "traversal"});
     std::string csv = csv_comments(on.lines()) + divergence_csv_head();
     Json all = Json::array();
     std::vector<std::pair<std::string, std::string>> charts;

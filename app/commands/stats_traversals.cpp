@@ -94,7 +94,7 @@ constexpr const char* explanation = "\ninterior: visits of interior nodes; again
 
 int run_traversals(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     check_outputs({{"--csv", options.csv}}, {});
-    const MeasuredOn on = measured_on(common.session.threads, common.session.seed);
+    const MeasuredOn on = measured_on(common.session, {"scene", "tracer", "traversal"});
     std::string csv = csv_comments(on.lines()) + csv_head;
     Json all = Json::array();
     for (const std::string& name : common.scenes) {

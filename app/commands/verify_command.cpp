@@ -134,8 +134,10 @@ int run(const CLI::App& app, const VerifyOptions& options, CommandContext& conte
     note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
     const auto check = [&](const Session& session, const FlatScene& scene, const CheckProgress& show) {
         const VerifyReport report = verify(scene, session.build, config_for(options, session), show, context.stop);
-        return CheckedScene{report.passed(), with_machine(json_of(report), measured_on(session.threads, session.seed)),
-                            [report, name = session.scene](std::ostream& out) { print(out, name, report); }};
+        return CheckedScene{
+            report.passed(),
+            with_machine(json_of(report), measured_on(in_scene_units(session, scene), {"tracer", "traversal"})),
+            [report, name = session.scene](std::ostream& out) { print(out, name, report); }};
     };
     return check_scenes(options, options.json, context, check);
 }

@@ -56,6 +56,9 @@ struct Machines {
     }
 };
 
+/// What the rows name themselves; how large images are, scenes.csv tells.
+constexpr std::initializer_list<const char*> varied{"scene", "width", "height", "tracer", "traversal"};
+
 class Run {
   public:
     Run(const ErrorTimeConfig& config, const std::vector<OpenedScene>& scenes, const Progress& progress,
@@ -70,7 +73,7 @@ class Run {
         for (const OpenedScene& opened : scenes_) given.push_back(opened.session.scene);
         const std::vector<ReportName> names = report_names(given);
         results_.config = config_;
-        results_.on = measured_on(first.threads, first.seed, nullptr);
+        results_.on = measured_on(first, varied);
         results_.seconds = 1e-3 * wall_ms([&] {
                                for (std::size_t i = 0; i < scenes_.size(); ++i)
                                    results_.scenes.push_back(measure_scene(scenes_[i], names[i]));
@@ -163,10 +166,7 @@ class Run {
     }
 
     /// Its clock is known once it has traced.
-    void note_gl(const FrameTracer& tracer) {
-        const Session& s = scenes_.front().session;
-        results_.on = measured_on(s.threads, s.seed, &tracer);
-    }
+    void note_gl(const FrameTracer& tracer) { results_.on = measured_on(scenes_.front().session, varied, &tracer); }
 
     /// Wall clock of a small frame by each method, all that it takes; the second of two.
     [[nodiscard]] std::vector<double> probe(ImageTask& task) const {

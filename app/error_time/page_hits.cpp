@@ -7,8 +7,6 @@
 
 namespace kd {
 
-namespace {}  // namespace
-
 void write_p2(ReportWriter& page, const HitReport& report) {
     page.html += fmt::format(
         "<h2>P2: hit error against time</h2>\n<p>Each diagram is one family of rays, {} of each at most, traced by "

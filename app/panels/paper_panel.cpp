@@ -32,7 +32,7 @@ void draw_run_buttons(const PaperState& paper, Edit& edit) {
     ImGui::SameLine();
     if (widgets::button(
             "full",
-            "At 512x512 as in the paper, one CPU thread: about seven minutes. The window takes its share of "
+            "At 512x512 as in the paper, one CPU thread: four to seven minutes. The window takes its share of "
             "the machine: for numbers to keep run `kdscope paper`.",
             idle, width))
         edit.do_once(Action::run_paper);
@@ -85,8 +85,17 @@ void draw_tallies(const std::vector<PaperClaim>& claims) {
     ImGui::NewLine();
 }
 
+/// What the numbers are of, so that a quick look is not taken for more.
+void draw_extent(const PaperResults& results) {
+    const std::string rounds = results.rounds > 0 ? fmt::format("{} rounds", results.rounds) : "not timed yet";
+    widgets::note(fmt::format("{}{} × {}, {}, rules {}", results.quick ? "quick: " : "", results.width, results.height,
+                              rounds, info(results.rules).name));
+    if (results.quick) widgets::hint("Too small and too short to be sure: verdicts to keep are those of full.");
+}
+
 /// What there is to look at: the verdicts, and each figure.
 void draw_list(const PaperReport& report, PaperView& view) {
+    draw_extent(report.results);
     if (view.figure.empty() && !report.figures.empty()) view.figure = report.figures.front().name;
     if (ImGui::Selectable("Verdicts", view.verdicts)) view.verdicts = true;
     Places::note("Verdicts");

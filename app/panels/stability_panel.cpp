@@ -44,10 +44,12 @@ void draw_list(const EngineState& state, StabilityView& view) {
     ImGui::InputTextWithHint("##filter", "filter: T25, sliver, far", &view.filter);
     Places::note("filter");
     ImGui::BeginChild("cases");
+    bool any = false;
     for (const StabilityCase& info : stability_cases()) {
         const bool fits =
             holds(info.id, view.filter) || holds(info.title, view.filter) || holds(info.construction, view.filter);
         if (!fits) continue;
+        any = true;
         const std::string label = fmt::format("{}  {}", info.id, info.title);
         if (ImGui::Selectable(label.c_str(), view.id == info.id)) {
             view.id = info.id;
@@ -58,6 +60,7 @@ void draw_list(const EngineState& state, StabilityView& view) {
         widgets::hint(info.construction);
         draw_verdict_mark(state, info.id);
     }
+    if (!any) widgets::note("No case has these words.");
     ImGui::EndChild();
 }
 
@@ -127,8 +130,7 @@ void draw_value_slider(const Sweep& sweep, Edit& edit) {
     const bool shown = edit.session.scene == stress_name(sweep.id, sweep.values[std::size_t(index)]);
     const std::string text =
         shown ? fmt::format("{:g} {}", sweep.values[std::size_t(index)], sweep.unit) : "drag to choose";
-    const std::string tip = fmt::format("Shows the scene at another value of its parameter: {}, from {:g} to {:g} {}.",
-                                        sweep.parameter, sweep.values.front(), sweep.values.back(), sweep.unit);
+    const std::string tip = fmt::format("Shows the scene at another value of its parameter: {}.", range_text(sweep));
     if (widgets::slider("scene at", index, 0, int(sweep.values.size()) - 1, text.c_str(), tip))
         edits::show_stress(edit, stress_name(sweep.id, sweep.values[std::size_t(index)]));
 }

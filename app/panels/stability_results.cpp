@@ -102,7 +102,15 @@ void draw_reason(const StabilityReport& report, const StabilityView& view) {
     ImGui::EndChild();
 }
 
-void draw_verdicts(const EngineState& state, const StabilityCase& info, StabilityView& view) {
+/// Whoever changes the rules afterwards must not take these verdicts for those of the new ones.
+void draw_rules(Rules measured, Rules chosen) {
+    const std::string_view under = info(measured).name;
+    if (measured == chosen) return widgets::note(fmt::format("Under rules {}.", under));
+    widgets::note(fmt::format("Under rules {}; TRACING has {} now: press run.", under, info(chosen).name), theme::gpu);
+}
+
+void draw_verdicts(const EngineState& state, const StabilityCase& info, Edit& edit) {
+    StabilityView& view = edit.window.stability;
     const auto found = state.stability.verdicts.find(std::string(info.id));
     if (found == state.stability.verdicts.end()) {
         const bool runs = state.stability.active && !state.stability.sweeping && state.stability.id == info.id;
@@ -110,6 +118,7 @@ void draw_verdicts(const EngineState& state, const StabilityCase& info, Stabilit
         return;
     }
     const StabilityReport& report = *found->second;
+    draw_rules(report.rules, edit.session.trace.rules);
     // Notes and reason stand below the table; where that leaves it too few rows, all of it scrolls.
     const float reason = float(3 + report.notes.size()) * ImGui::GetTextLineHeightWithSpacing();
     draw_verdict_table(report, std::max(theme::px(72), ImGui::GetContentRegionAvail().y - reason), view);
@@ -124,8 +133,7 @@ void draw_charts(const EngineState& state, const StabilityCase& info, Edit& edit
     if (found == state.stability.sweeps.end() || found->second->rows.empty()) {
         const bool runs = state.stability.active && state.stability.sweeping && state.stability.id == info.id;
         widgets::note(runs ? "The first value is being measured."
-                           : fmt::format("Press sweep: {} from {:g} to {:g} {}.", sweep->parameter,
-                                         sweep->values.front(), sweep->values.back(), sweep->unit));
+                           : fmt::format("Press sweep: {}.", range_text(*sweep)));
         return;
     }
     const Chart faults = fault_chart(*found->second), ulps = ulp_chart(*found->second);
@@ -160,7 +168,7 @@ void draw_results(const EngineState& state, const StabilityCase& info, Edit& edi
     if (view.charts)
         draw_charts(state, info, edit);
     else
-        draw_verdicts(state, info, view);
+        draw_verdicts(state, info, edit);
 }
 
 }  // namespace kd

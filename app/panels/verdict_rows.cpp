@@ -52,10 +52,12 @@ void draw_comparison(const OracleReading* known, const Hit& found) {
                    "Least barycentric coordinate of the exact hit (of the one found where there is no exact one).");
 }
 
-void draw_ray(const Ray& ray, Edit& edit) {
+/// Dashes where there is none.
+void draw_ray(const Ray* known, Edit& edit) {
     if (!widgets::fold("ray, exact", false)) return;
-    const auto number = [](const char* label, float value) {
-        widgets::value(label, hex_float(value), "A hexadecimal float: every bit of the number.");
+    const Ray ray = known ? *known : Ray{};
+    const auto number = [known](const char* label, float value) {
+        widgets::value(label, known ? hex_float(value) : none, "A hexadecimal float: every bit of the number.");
     };
     number("ox", ray.origin.x);
     number("oy", ray.origin.y);
@@ -65,7 +67,7 @@ void draw_ray(const Ray& ray, Edit& edit) {
     number("dz", ray.direction.z);
     number("tmin", ray.t_min);
     number("tmax", ray.t_max);
-    if (widgets::button("copy ray", "To the clipboard, as a table that kdscope trace --rays reads."))
+    if (widgets::button("copy ray", "To the clipboard, as a table that kdscope trace --rays reads.", known != nullptr))
         edit.do_once(Action::copy_ray);
 }
 
@@ -101,17 +103,14 @@ void draw_wrong_pixels(const EngineState& state, Edit& edit) {
 }  // namespace
 
 void draw_verdict(const EngineState& state, Edit& edit) {
-    if (!needs_oracle(edit.session.view) && state.judged() == nullptr) return;
+    if (!needs_oracle(edit.session.view)) return;
     const std::optional<PixelReading>& pixel = state.pinned ? state.pinned : state.hovered;
     const Pass rays = state.judged() ? state.judged()->rays : edit.session.view.map.rays;
     widgets::heading(fmt::format("{} rays in double precision", ray_names[std::size_t(rays)]).c_str());
-    const OracleReading nothing{};
-    const bool known = pixel && pixel->oracle;
-    const OracleReading& oracle = known ? *pixel->oracle : nothing;
-    draw_comparison(known ? &oracle : nullptr,
-                    known ? pixel->passes[std::size_t(oracle.rays)].hit : Hit{-1, 0.0f, 0.0f, 0.0f});
+    const OracleReading* known = pixel && pixel->oracle ? &*pixel->oracle : nullptr;
+    draw_comparison(known, known ? pixel->passes[std::size_t(known->rays)].hit : Hit{-1, 0.0f, 0.0f, 0.0f});
     draw_wrong_pixels(state, edit);
-    draw_ray(oracle.ray, edit);
+    draw_ray(known ? &known->ray : nullptr, edit);
 }
 
 }  // namespace kd

@@ -9,6 +9,7 @@
 #include "app/paper/paper_counts.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/measure/paper/paper_claims.h"
 #include "renderer/measure/paper/walk_costs.h"
 #include "renderer/measure/timing_ratio.h"
 
@@ -21,6 +22,9 @@ constexpr std::array<const char*, 6> limited_scenes{"ball:1000", "ball:2000",   
                                                     "ball:9000", "scatter:2000", "scatter:10000"};
 constexpr std::array<const char*, 3> pictured_scenes{"ball:2000", "ball:9000", "scatter:10000"};
 constexpr std::array<const char*, 2> node_size_scenes{"ball:9000", "scatter:10000"};
+
+/// What the rows name themselves.
+constexpr std::initializer_list<const char*> varied{"scene", "tracer", "traversal"};
 
 /// Tracers of one scene, and the method each of its contestants stands for.
 struct Stage {
@@ -35,7 +39,8 @@ class PaperRun {
         results_.width = config.base.width;
         results_.height = config.base.height;
         results_.quick = config.quick;
-        results_.on = measured_on(config.base.threads, config.base.seed, nullptr);
+        results_.rules = config.base.trace.rules;
+        results_.on = measured_on(config.base, varied);
     }
 
     PaperResults run() {
@@ -215,24 +220,45 @@ class PaperRun {
             add_contestants(scene, stages_.at(scene.name));
         }
         for (const auto& [name, stage] : stages_)
-            if (stage.gpu) results_.on = measured_on(config_.base.threads, config_.base.seed, stage.gpu.get());
+            if (stage.gpu) results_.on = measured_on(config_.base, varied, stage.gpu.get());
         tell(0.2f, "warming up");
         const TimingPlan plan{.warmup = config_.warmup,
                               .rounds = config_.most_rounds,
                               .budget_s = config_.budget_s,
                               .least_rounds = MedianInterval::least_samples};
         const auto begin = std::chrono::steady_clock::now();
+        const auto spent = [&] {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        };
         const auto show = [&](int rounds, std::span<const TimedRounds> so_far) {
             take_over(so_far);
-            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
             const double done = std::max(double(rounds) / plan.rounds,
-                                         std::min(spent.count() / plan.budget_s, double(rounds) / plan.least_rounds));
-            tell(0.2f + 0.8f * float(std::min(done, 1.0)), fmt::format("round {} of all tracers in turn", rounds));
+                                         std::min(spent() / plan.budget_s, double(rounds) / plan.least_rounds));
+            tell(0.2f + 0.7f * float(std::min(done, 1.0)), fmt::format("round {} of all tracers in turn", rounds));
         };
         try {
-            (void)time_in_turn(contestants_, plan, show);
+            time_until_decided(time_in_turn(contestants_, plan, show), spent);
         } catch (const Interrupted&) {
             // What the rounds before gave is kept.
+        }
+    }
+
+    /// Further rounds, a few at a time, while a claim that must be decided is open for want of them.
+    void time_until_decided(std::vector<TimedRounds> timed, const std::function<double()>& spent) {
+        const TimingPlan few{.warmup = 0, .rounds = 6};
+        const double first_s = spent();
+        while (wants_rounds(results_) && spent() < config_.longest_s) {
+            const auto [open_s, begun] = std::pair(config_.longest_s - first_s, timed);
+            const auto show = [&](int, std::span<const TimedRounds> more) {
+                for (std::size_t i = 0; i < timed.size(); ++i) {
+                    timed[i].rounds = begun[i].rounds;
+                    timed[i].rounds.insert(timed[i].rounds.end(), more[i].rounds.begin(), more[i].rounds.end());
+                }
+                take_over(timed);
+                const double done = std::min(1.0, (spent() - first_s) / open_s);
+                tell(0.9f + 0.1f * float(done), fmt::format("round {}, a claim is open yet", results_.rounds));
+            };
+            (void)time_in_turn(contestants_, few, show);
         }
     }
 
@@ -252,7 +278,7 @@ PaperConfig paper_config(bool quick) {
     config.quick = quick;
     if (!quick) return config;
     config.base.width = config.base.height = 128;
-    config.budget_s = 20;
+    config.budget_s = config.longest_s = 20;
     return config;
 }
 

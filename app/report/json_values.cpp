@@ -73,6 +73,12 @@ std::string json_key(std::string_view name) {
     return key;
 }
 
+Json settings_but(const Session& session, std::initializer_list<const char*> varied) {
+    Json settings = json_of(session);
+    for (const char* key : varied) settings.erase(key);
+    return settings;
+}
+
 Json json_of(const Camera& camera) {
     FieldWriter writer;
     visit_camera(writer, camera);
@@ -159,7 +165,7 @@ Json json_of(const MedianInterval& value) {
 
 Json json_of(const MeasuredOn& on) {
     Json json;
-    for (const auto& [name, value] : on.facts()) json[name] = value;
+    for (const auto& [name, value] : on.facts()) json[name] = name == "settings" ? Json::parse(value) : Json(value);
     return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const Session& session);
 /// All that was chosen: the session with `view` in place of its own.
 [[nodiscard]] Json settings_json(const Session& session, const ViewConfig& view);
+/// The session without the keys in `varied`, which differ within what is reported and are told there, or have no part.
+[[nodiscard]] Json settings_but(const Session& session, std::initializer_list<const char*> varied);
 [[nodiscard]] Json json_of(const Camera& camera);
 [[nodiscard]] Json json_of(const BuildConfig& build);
 [[nodiscard]] Json json_of(const FlatScene& scene);

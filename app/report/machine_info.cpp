@@ -10,6 +10,7 @@
 #include <version.h>
 
 #include "app/frame/frame_tracer.h"
+#include "app/report/json_values.h"
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
@@ -50,6 +51,12 @@ MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl) {
     on.flags = build::flags;
     on.build_type = build::build_type;
     on.seed = seed;
+    return on;
+}
+
+MeasuredOn measured_on(const Session& session, std::initializer_list<const char*> varied, const FrameTracer* gl) {
+    MeasuredOn on = measured_on(session.threads, session.seed, gl);
+    on.settings = settings_but(session, varied).dump();
     return on;
 }
 

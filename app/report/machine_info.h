@@ -1,6 +1,7 @@
 // The machine, as it stands in captions and reports.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "renderer/measure/measured_on.h"
@@ -15,9 +16,13 @@ namespace kd {
 
 class Context;      // renderer/gl/context.h
 class FrameTracer;  // app/frame/frame_tracer.h
+struct Session;     // app/session.h
 
 /// This machine and build at this moment. `gl` is a tracer that runs on OpenGL, or null where none does.
 [[nodiscard]] MeasuredOn measured_on(int threads, unsigned seed, const FrameTracer* gl = nullptr);
+/// The same with what was chosen, but for the keys in `varied`; a camera must be in scene units.
+[[nodiscard]] MeasuredOn measured_on(const Session& session, std::initializer_list<const char*> varied,
+                                     const FrameTracer* gl = nullptr);
 /// The same of a context in which nothing is timed.
 [[nodiscard]] MeasuredOn measured_on(int threads, unsigned seed, const Context& gl);
 

@@ -104,8 +104,8 @@ void print(std::ostream& out, const NeedsReport& report) {
         std::string saved = "-", low, high, share;
         if (row.time) {
             saved = ms_text(row.time->saved.median);
-            low = ms_text(row.time->saved.low);
-            high = ms_text(row.time->saved.high);
+            low = row.time->saved.sure() ? ms_text(row.time->saved.low) : "-";
+            high = row.time->saved.sure() ? ms_text(row.time->saved.high) : "-";
             share = row.time->seen()         ? fmt::format("{:.1f} %", 100 * row.time->share())
                     : row.time->saved.sure() ? "no difference seen"
                                              : "too few rounds";

@@ -18,6 +18,7 @@ struct MeasuredOn {
     std::string gl_clock;           // that times of OpenGL were read from; the CPU's are from the steady clock
     std::string version, commit, compiler, flags, build_type;
     unsigned seed = 1;
+    std::string settings;  // chosen for all of it, JSON on one line: what its rows do not name themselves
 
     /// Name and value of each, in the order above: "commit", "5278aa2".
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;

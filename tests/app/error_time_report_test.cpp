@@ -328,11 +328,10 @@ TEST(TreeReportTest, LinesPayWhatTheHeuristicPredicts) {
             // Surfaces stop camera rays early, but where there are gaps they cross more than a line that enters
             // anywhere.
             const double paid = row.cost_per_ray[0] / row.stats.sah_cost;
-            // Planes at medians leave fewer gaps to cross. The ends are twice and half of what the trees of these
-            // scenes paid when this was written (0.5 to 0.9, 1.1 to 1.3): beyond them rays would not be those of the
-            // scene.
-            EXPECT_GT(paid, dense ? 0.3 : 1.0) << name << ' ' << row.name();
-            EXPECT_LT(paid, dense ? 1.0 : 1.4) << name << ' ' << row.name();
+            // So they pay less than is predicted on the one scene and more on the other; by a factor of two either
+            // way they would not be rays of the scene (the trees paid 0.5 to 0.9 and 1.1 to 1.3).
+            EXPECT_GT(paid, dense ? 0.25 : 1.0) << name << ' ' << row.name();
+            EXPECT_LT(paid, dense ? 1.0 : 2.6) << name << ' ' << row.name();
             EXPECT_EQ(row.build.samples, 6);
             EXPECT_EQ(row.frame_ratio.samples, 6);
             EXPECT_TRUE(row.frame_ratio.sure());

@@ -1,4 +1,4 @@
-// Compiled once for each row of the table in tests/flags/CMakeLists.txt; KD_FLAGGED_TRACE is the function's name.
+// Compiled once for each row of the table in tests/flags/flagged_builds.cmake; KD_FLAGGED_TRACE is the function's name.
 
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"

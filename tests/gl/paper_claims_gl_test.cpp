@@ -173,6 +173,23 @@ TEST(PaperClaims, ASoftwareRendererSaysNothingOfAGpuButItsNumbersAreTold) {
     EXPECT_EQ(claim(claims, "E2a").reason, "not measured");
 }
 
+TEST(PaperClaims, RoundsAreWantedWhileAClaimThatTheyDecideIsOpen) {
+    PaperResults results = paper_results(papers_own_ms(), 0.02);
+    EXPECT_FALSE(wants_rounds(results));
+    for (PaperScene& scene : results.scenes)
+        for (PaperTimes& times : scene.times)
+            if (scene.name == "ball:9000" && times.method == PaperMethod::cpu_restart)
+                for (std::size_t i = 0; i < times.timed.rounds.size(); i += 2) times.timed.rounds[i].ms *= 10;
+    EXPECT_EQ(claim(judge_claims(results), "E1b").verdict, undecided);
+    EXPECT_TRUE(wants_rounds(results));
+    EXPECT_FALSE(wants_rounds({})) << "none were taken yet";
+    // What was never timed no round decides.
+    results = paper_results(papers_own_ms(), 0.02);
+    for (PaperScene& scene : results.scenes)
+        std::erase_if(scene.times, [](const PaperTimes& t) { return info(t.method).gpu; });
+    EXPECT_FALSE(wants_rounds(results));
+}
+
 TEST(PaperClaims, NothingMeasuredIsAllOpenButArithmetic) {
     for (const PaperClaim& c : judge_claims({})) EXPECT_EQ(c.verdict, c.id == "B1c" ? arithmetic : undecided) << c.id;
 }

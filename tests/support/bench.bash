@@ -1,6 +1,6 @@
 # Benchmarks as tests. Sourced.
 
-# bench NAME ARGUMENTS...: runs one, which judges itself by its exit code. Without Embree 3 none is built.
+# bench NAME ARGUMENTS...: runs one, which judges itself by its exit code. Without Embree 3 those with a rival are not built.
 bench() {
     local program
     program=$(dirname -- "$KDSCOPE")/tests/$1

@@ -15,3 +15,9 @@ cases_with_verdict() {
 cases_with_mismatches() {
     awk -F'"' '/"case":/ { id = $4 } /"mismatches": [1-9]/ { print id }' "$1" | sort -u | tr '\n' ' '
 }
+
+# mismatches_of CASE FILE: of the walks on the CPU in their order, "3/14/15".
+mismatches_of() {
+    awk -F'"' -v wanted="$1" '/"case":/ { id = $4 } /"tracer":/ { tracer = $4 }
+        /"mismatches":/ && id == wanted && tracer == "cpu" { gsub(/[^0-9]/, "", $3); printf "%s%s", sep, $3; sep = "/" }' "$2"
+}

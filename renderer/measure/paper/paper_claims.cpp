@@ -236,4 +236,15 @@ std::vector<PaperClaim> judge_claims(const PaperResults& results) {
     return claims;
 }
 
+bool wants_rounds(const PaperResults& results) {
+    if (results.rounds == 0) return false;
+    const auto is_open = [&](const PaperClaim& c) {
+        const bool decided_by_times =
+            c.id.starts_with("E1a") || c.id.starts_with("E1b") || c.id.starts_with("E2a") || c.id.starts_with("E3b");
+        const bool of_gpu = c.id == "E1a GPURT" || c.id == "E2a";
+        return decided_by_times && c.verdict == PaperVerdict::undecided && (!of_gpu || results.has_gpu_times());
+    };
+    return std::ranges::any_of(judge_claims(results), is_open);
+}
+
 }  // namespace kd

@@ -24,4 +24,8 @@ struct PaperClaim {
 /// the shaders ran on the CPU, with the number told all the same.
 [[nodiscard]] std::vector<PaperClaim> judge_claims(const PaperResults& results);
 
+/// True where a claim that times decide and everybody asks for (E1a, E1b, E2a, E3b) is open though its tracers were
+/// timed: more rounds narrow its interval.
+[[nodiscard]] bool wants_rounds(const PaperResults& results);
+
 }  // namespace kd

@@ -17,6 +17,7 @@
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
 #include "renderer/trace/counters.h"
+#include "renderer/trace/rules.h"
 #include "renderer/trace/traversal.h"
 
 namespace kd {
@@ -119,6 +120,7 @@ struct PaperResults {
     MeasuredOn on;
     int width = 512, height = 512;
     bool quick = false;
+    Rules rules = Rules::robust;
     std::vector<PaperScene> scenes;
     std::vector<PaperBudget> budgets;
     std::vector<PaperNodeSizes> node_sizes;

@@ -25,7 +25,6 @@ void check_picture(CaseRun& run, const Subject& subject, const Camera& camera, i
         const Frame frame = machine.frame(trace, view, width, height, run.stop());
         run.check_stop();
         const std::vector<Hit>& hits = frame.layer(Pass::rt_prim).hit.pixels;
-        row.n += std::int64_t(rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const bool tie = hits[i].t == expected[i].t && (hits[i].triangle >= 0) == (expected[i].triangle >= 0);
             if (!tie || !is_finite(frame.colour.pixels[i]))

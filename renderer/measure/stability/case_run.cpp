@@ -77,13 +77,19 @@ std::vector<const TraversalInfo*> CaseRun::wanted_traversals(const RayMachine& m
 
 /// How many parts a case has shows only when it ends, so each takes half of what is left, in equal steps.
 void CaseRun::each(const Subject& subject,
-                   const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use) {
+                   const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use, Refusal refusal) {
     std::size_t parts = 0;
     for (const auto& machine : machines_) parts += wanted_traversals(*machine).size();
     const float step = 0.5f * (1 - done_) / float(std::max<std::size_t>(parts, 1));
     for (const auto& machine : machines_) {
         const std::vector<const TraversalInfo*> wanted = wanted_traversals(*machine);
-        machine->load(subject.scene, subject.tree);
+        try {
+            machine->load(subject.scene, subject.tree);
+        } catch (const InputError& error) {
+            if (refusal == Refusal::is_an_error) throw;
+            record(fmt::format("refused on {}", machine->context()), 1, 0, error.what());
+            continue;
+        }
         for (const TraversalInfo* traversal : wanted) {
             check_stop();
             if (tell_) tell_(done_, fmt::format("{}, {}", machine->tracer(), traversal->name));

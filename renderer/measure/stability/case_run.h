@@ -70,7 +70,10 @@ class CaseRun {
 
     /// Calls back with each traversal on each machine, loaded with the subject, and the row to add to: for what check()
     /// does not cover.
-    void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use);
+    /// A machine that the subject does not fit on is passed over and told in a row of its own if it `may_refuse`.
+    enum class Refusal { is_an_error, may_refuse };
+    void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use,
+              Refusal refusal = Refusal::is_an_error);
 
     /// Judges the nearest hit of one of the rays, by its place among them; fail() tells the row what is wrong.
     using JudgeAnswer = std::function<void(std::size_t ray, const Hit& hit, StabilityRow& row)>;
@@ -93,8 +96,10 @@ class CaseRun {
     /// The rows, with bounds and verdicts.
     [[nodiscard]] std::vector<StabilityRow> finish();
 
-  private:
+    /// The row of these names; of a walk that each() does not call back with.
     StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
+
+  private:
     /// The traversals that each() walks by.
     [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals(const RayMachine& machine) const;
     /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.

@@ -62,7 +62,7 @@ void run_one_triangle(CaseRun& run) {
         if (hit.triangle != 0 || !(worst <= bound))
             CaseRun::fail(row, fmt::format("off by {:.3g} ulp of 1: ray {}", worst * 0x1p23f, exact_text(rays[i])));
     };
-    run.each_answer(one, rays, judge);
+    run.each_answer(one, rays, judge, CaseRun::Counted::by_check);
     run.record("u, v, t, point", std::int64_t(rays.size()), 0, fmt::format("at most {:.3g} ulp of 1 off", most));
 }
 

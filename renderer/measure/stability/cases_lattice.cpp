@@ -78,14 +78,15 @@ double first_face(const Ray& ray) {
 }
 
 void check_first_faces(CaseRun& run, const Subject& city, const std::vector<Ray>& rays) {
-    run.each_answer(city, rays, [&](std::size_t i, const Hit& hit, StabilityRow& row) {
+    const auto judge = [&](std::size_t i, const Hit& hit, StabilityRow& row) {
         const double exact = first_face(rays[i]);
         const bool found = hit.triangle >= 0;
         const double ulps = found && exact >= 0 ? ulps_between(hit.t, exact) : 0;
         if (found != (exact >= 0) || ulps > 4)
             CaseRun::fail(row,
                           fmt::format("exactly {}, found {}: ray {}", exact, exact_text(hit), exact_text(rays[i])));
-    });
+    };
+    run.each_answer(city, rays, judge, CaseRun::Counted::by_check);
 }
 
 enum class PlanarSide { below, above, both };

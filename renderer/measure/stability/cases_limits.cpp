@@ -10,6 +10,7 @@
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
 #include "renderer/measure/stability/refusal.h"
+#include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
 
@@ -91,12 +92,16 @@ void run_naive(CaseRun& run, int count) {
     for (std::size_t i = 0; i < run.rays(10'000, std::size(naive_counts)); ++i)
         rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
     const std::vector<Hit> expected = run.loop_hits(soup.scene, rays);
-    run.each(soup, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
+    run.each(soup, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow&) {
         if (trace.traversal != Traversal::stack) return;
+        StabilityRow& row = run.row(machine.tracer(), machine.context(), info(Traversal::naive).name);
         TraceConfig naive;
         naive.traversal = Traversal::naive;
         std::vector<Hit> hits(rays.size());
-        const std::string refused = refusal([&] { (void)machine.trace(naive, rays, false, hits, {}, run.stop()); });
+        std::string refused;
+        row.seconds += 1e-3 * wall_ms([&] {
+                           refused = refusal([&] { (void)machine.trace(naive, rays, false, hits, {}, run.stop()); });
+                       });
         run.check_stop();
         row.n += std::int64_t(rays.size());
         if (refused.empty()) CaseRun::tell_error_of_t(soup.scene, rays, hits, row);

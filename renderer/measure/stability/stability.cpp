@@ -71,6 +71,7 @@ bool StabilityReport::passed() const {
 StabilityReport run_stability(const StabilityConfig& config,
                               const std::function<void(float, const std::string&)>& progress, std::stop_token stop) {
     StabilityReport report;
+    report.rules = config.rules;
     const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
     const auto machines = open_machines(config, report.notes);
     if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)

@@ -61,6 +61,7 @@ struct StabilityRow {
 struct StabilityReport {
     std::vector<StabilityRow> rows;
     std::vector<std::string> notes;  // what was left out
+    Rules rules = Rules::robust;     // that all rows were traced under
     int cases_run = 0;
     double preparing_seconds = 0;  // beside those of the rows: trees, and the oracles that rows are held against
     bool complete = true;          // false where stopped before the end

@@ -38,6 +38,11 @@ const Sweep& sweep_of(std::string_view id) {
     throw InputError(fmt::format("case '{}': {}; try one of {}", id, is_case ? "has no sweep" : "not known", known));
 }
 
+std::string range_text(const Sweep& sweep) {
+    return fmt::format("{} from {:g} to {:g}{}{}", sweep.parameter, sweep.values.front(), sweep.values.back(),
+                       sweep.unit.empty() ? "" : " ", sweep.unit);
+}
+
 Random sweep_random(const Sweep& sweep, unsigned seed) { return Random(case_seed(sweep.id, seed)); }
 
 FlatScene flat_scene(SweepScene& made) {

@@ -39,6 +39,9 @@ struct Sweep {
 /// The sweep of a case. InputError naming the cases that have one.
 [[nodiscard]] const Sweep& sweep_of(std::string_view id);
 
+/// "triangles at the vertex from 3 to 10000", with the unit where there is one.
+[[nodiscard]] std::string range_text(const Sweep& sweep);
+
 /// The random numbers of a sweep: the same at each of its values, so that nothing but the parameter differs.
 [[nodiscard]] Random sweep_random(const Sweep& sweep, unsigned seed);
 
