@@ -112,8 +112,8 @@ TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
     expect_numbers_in_tables(out);
     expect_links_to_exist(out);
     const std::string times = read_file(out / "times.csv");
-    for (const char* part :
-         {"# commit: ", "# cpu: ", "# flags: ", "# seed: 1", "ball:1000,CPURT,", "ball:1000,CPU naive,"})
+    for (const char* part : {"# commit: ", "# cpu: ", "# flags: ", "# seed: 1", R"("rules":"robust")",
+                             "ball:1000,CPURT,", "ball:1000,CPU naive,"})
         EXPECT_NE(times.find(part), std::string::npos) << part;
     const Json json = Json::parse(read_file(out / "results.json"));
     EXPECT_EQ(json["complete"], true);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/cli/text_table.h"
+#include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/traversal.h"
 #include "tests/app/cli_run.h"
@@ -32,6 +33,35 @@ TEST(Stats, AllBuildersSideBySide) {
     const test::Outcome table = run_kdscope({"stats", "cornell"});
     EXPECT_NE(table.out.find("memory: lists of copies"), std::string::npos);
     EXPECT_NE(table.out.find("paper"), std::string::npos);
+}
+
+/// What every report says of itself must tell one under other rules from one under the usual.
+TEST(Reports, StoreWhatWasChosenForAllOfTheirRows) {
+    const test::TestFolder folder;
+    const auto settings = [](std::vector<std::string> command) {
+        command.insert(command.end(), {"--rules", "as-published", "--json", "--tracer", "cpu"});
+        const json report = json::parse(run_kdscope(command).out);
+        return (report.is_array() ? report[0] : report)["measured_on"]["settings"];
+    };
+    const json bench = settings({"bench", "cornell", "--size", "8x8", "--rounds", "1", "--leaf-lists", "duplicated",
+                                 "--no-shadows", "--eye", "0,1,4"});
+    EXPECT_EQ(bench["rules"], "as-published");
+    EXPECT_EQ(bench["leaf_lists"], "duplicated");
+    EXPECT_EQ(bench["shadows"], false);
+    EXPECT_EQ(bench["camera"]["eye"], (std::vector{0, 1, 4}));
+    EXPECT_FALSE(bench.contains("traversal")) << "each row has its own";
+    EXPECT_EQ(settings({"stability", "--case", " t02", "--traversal", "stack"}), json({{"rules", "as-published"}}));
+    EXPECT_EQ(settings({"stats", "cornell", "--divergence", "--size", "8x8", "--traversal", "stack"})["rules"],
+              "as-published");
+    // Tables have it as a comment.
+    const std::string csv = folder.file("a.csv");
+    ASSERT_EQ(run_kdscope({"stats", "cornell", "--divergence", "--size", "8x8", "--traversal", "stack", "--rules",
+                           "as-published", "--csv", csv})
+                  .code,
+              0);
+    const std::string text = read_file(csv);
+    EXPECT_NE(text.find("# settings: {"), std::string::npos);
+    EXPECT_NE(text.find(R"("rules":"as-published")"), std::string::npos);
 }
 
 TEST(Stats, ConstantsOutOfRangeAreRefused) {

@@ -160,8 +160,7 @@ StabilityCase case_T08() {
     return {"T08",
             "Inside the plane that all lies in",
             "The sheet of T07 at z = 0 with rays within z = 0 and a picture by a camera in it; the same sheet tilted, "
-            "with as "
-            "many rays as close to its plane as floats are",
+            "with as many rays as close to its plane as floats are",
             "brute force",
             "0 mismatches, no colour that is not finite",
             run_in_plane};

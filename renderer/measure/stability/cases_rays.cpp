@@ -169,8 +169,7 @@ StabilityCase case_T37() {
     return {"T37",
             "Intervals",
             "The rays of T14 with tmin > tmax, tmax = 0, tmax = t, and intervals that just hold t; shadow rays of a "
-            "floor to "
-            "a light that lies on a lamp's triangles",
+            "floor to a light that lies on a lamp's triangles",
             "exact",
             "no hit outside (tmin, tmax); no lamp shadows itself",
             [](CaseRun& run) {

@@ -159,8 +159,7 @@ StabilityCase case_T18() {
     return {"T18",
             "Sphere far from the origin",
             "A sphere of radius 2 of 159,200 triangles around (148376, 1234, -223423), where floats are 1/64 apart; "
-            "origins "
-            "within 1 of its centre, random directions (Embree's watertightness test)",
+            "origins within 1 of its centre, random directions (Embree's watertightness test)",
             "every ray hits; brute force",
             "0 misses (Embree accepts 2 of 100,000)",
             [](CaseRun& run) {

@@ -277,8 +277,7 @@ StabilityCase case_T30() {
     return {"T30",
             "Planes an ulp apart",
             "Two parallel planes at z = 1 and z = 1000, apart by 1, 2 and 8 ulp and by 1e-6 of z; the farther one has "
-            "the lower "
-            "numbers; 10 frames (100 in a long run)",
+            "the lower numbers; 10 frames (100 in a long run)",
             "brute force; the nearer plane where 4 ulp of t or more apart",
             "the nearer plane wins, every frame is the same",
             [](CaseRun& run) {

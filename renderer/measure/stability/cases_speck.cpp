@@ -128,8 +128,8 @@ StabilityCase case_T24() {
         "precision does, but where the sphere's outline is a pixel or less away",
         run_speck_in_room,
         "a ray's slack is a fraction of the whole room and larger than the sphere, so that a walk visits every "
-        "cell around "
-        "it; on OpenGL some need more steps than a shader is sure of and are flagged, never silently wrong"};
+        "cell around it; on OpenGL some need more steps than a shader is sure of and are flagged, never silently "
+        "wrong"};
 }
 
 Sweep sweep_T24() {
