@@ -17,12 +17,12 @@ namespace {
 
 /// What is wrong with the scene of a session file is told with its place there.
 FlatScene loaded_scene(const CommonOptions& options, const Session& session) {
-    const std::string& name = options.scenes.front();
     try {
         return load_scene(session.scene, session.seed);
     } catch (const InputError& error) {
-        if (!names_session(name)) throw;
-        throw InputError(scene_fault(name, error.what()));
+        // Commands with scenes of their own, as `gallery`, take none.
+        if (options.scenes.empty() || !names_session(options.scenes.front())) throw;
+        throw InputError(scene_fault(options.scenes.front(), error.what()));
     }
 }
 

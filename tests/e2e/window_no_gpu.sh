@@ -12,7 +12,9 @@ press v
 [[ $(value settings.tracer) == cpu ]] || fail "V changed to a GPU that is not there"
 stop_window
 
-# Less than the window itself is drawn with.
+# Less than the window itself is drawn with. What the driver leaks when it gives up is its own, in a library that is no
+# longer loaded when leaks are told.
+export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0
 MESA_GL_VERSION_OVERRIDE=2.1 MESA_GLSL_VERSION_OVERRIDE=120 "$KDSCOPE" ball:300 >out.txt 2>err.txt
 code=$?
 [[ $code -eq 3 ]] || fail "exit code $code with OpenGL 2.1: $(cat err.txt)"

@@ -36,7 +36,8 @@ Interval over_sets(const Sets& sets, const Statistic& statistic) {
 /// The same of something positive, by its logarithm, so that the interval holds nothing below 0. An exact 0 is sure.
 template <class Sets, class Statistic>
 Interval over_sets_positive(const Sets& sets, const Statistic& statistic) {
-    if (!(statistic(sets) > 0)) return {};
+    const double whole = statistic(sets);
+    if (sets.size() < 2 || !(whole > 0)) return {whole, whole};
     constexpr double least = std::numeric_limits<double>::min();
     const Interval log = over_sets(sets, [&](const Sets& some) { return std::log(std::max(statistic(some), least)); });
     return {std::exp(log.low), std::exp(log.high)};
