@@ -88,9 +88,9 @@ void draw_tallies(const std::vector<PaperClaim>& claims) {
 /// What the numbers are of, so that a quick look is not taken for more.
 void draw_extent(const PaperResults& results) {
     const std::string rounds = results.rounds > 0 ? fmt::format("{} rounds", results.rounds) : "not timed yet";
-    widgets::note(fmt::format("{}{} × {}, {}, rules {}", results.quick ? "quick: " : "", results.width, results.height,
-                              rounds, info(results.rules).name));
+    widgets::note(fmt::format("{}{} × {}, {}", results.quick ? "quick: " : "", results.width, results.height, rounds));
     if (results.quick) widgets::hint("Too small and too short to be sure: verdicts to keep are those of full.");
+    if (results.rules != Rules::robust) widgets::note(fmt::format("rules {}", info(results.rules).name), theme::gpu);
 }
 
 /// What there is to look at: the verdicts, and each figure.

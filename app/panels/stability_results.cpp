@@ -118,6 +118,8 @@ void draw_verdicts(const EngineState& state, const StabilityCase& info, Edit& ed
         return;
     }
     const StabilityReport& report = *found->second;
+    ImGui::SameLine(0, theme::px(14));  // beside verdicts and charts: rows are few in a window 720 pixels high
+    ImGui::AlignTextToFramePadding();
     draw_rules(report.rules, edit.session.trace.rules);
     // Notes and reason stand below the table; where that leaves it too few rows, all of it scrolls.
     const float reason = float(3 + report.notes.size()) * ImGui::GetTextLineHeightWithSpacing();
