@@ -246,9 +246,9 @@ class PaperRun {
     /// Further rounds, a few at a time, while a claim that must be decided is open for want of them.
     void time_until_decided(std::vector<TimedRounds> timed, const std::function<double()>& spent) {
         const TimingPlan few{.warmup = 0, .rounds = 6};
-        const double first_s = spent();
+        const double first_s = spent(), open_s = config_.longest_s - first_s;
         while (wants_rounds(results_) && spent() < config_.longest_s) {
-            const auto [open_s, begun] = std::pair(config_.longest_s - first_s, timed);
+            const std::vector<TimedRounds> begun = timed;
             const auto show = [&](int, std::span<const TimedRounds> more) {
                 for (std::size_t i = 0; i < timed.size(); ++i) {
                     timed[i].rounds = begun[i].rounds;

@@ -3,19 +3,15 @@
 
 #include <string>
 
-#include "renderer/geometry/input_error.h"
+#include "renderer/geometry/refusal.h"
 
 namespace kd::test {
 
 /// The text of the InputError that `action` throws; "accepted" where it throws none.
 template <class Action>
 [[nodiscard]] std::string refusal(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    const std::string told = kd::refusal(action);
+    return told.empty() ? "accepted" : told;
 }
 
 }  // namespace kd::test

@@ -3,12 +3,12 @@
 #include <bit>
 #include <fmt/format.h>
 
+#include "renderer/geometry/refusal.h"
 #include "renderer/gl/gl_limits.h"
 #include "renderer/kdtree/encode.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
 #include "renderer/measure/stability/placed_tree.h"
-#include "renderer/measure/stability/refusal.h"
 #include "renderer/trace/counters.h"
 
 namespace kd {

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/geometry/refusal.h"
 #include "renderer/gl/gl_limits.h"
 #include "renderer/kdtree/validate.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
-#include "renderer/measure/stability/refusal.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"

@@ -1,4 +1,4 @@
-// What cases of refusals ask.
+// What bad input is told, for those who give it on purpose.
 #pragma once
 
 #include <string>
