@@ -126,12 +126,12 @@ small_divergence() {
     stop_window
 }
 small_error() {
-    open cornell
+    open rooms
     press_all e
     click_on "ERROR/sample"
-    wait_for '^convergence.curves.independent, stack, cpu.points=[6-9]$' 120
+    wait_for '^convergence.curves.independent, stack, cpu.points=9$' 280
     press_all t
-    wait_for '^convergence.curves.independent, restart, cpu.points=[6-9]$' 120
+    wait_for '^convergence.curves.independent, restart, cpu.points=9$' 280
     click_on "ERROR/stop"
     hover 600 20
     shoot error-time

@@ -59,6 +59,8 @@ void add_quantity(LegendText& text, const ScalarMap& map, const HeatmapConfig& c
     }
     for (const MapFact& fact : map.facts) text.rows.push_back({fact.label, fact.value});
     add_exceptions(text.rows, config, summary);
+    // The bar is in full colours; over the image they are fainter.
+    if (config.opacity < 1) text.rows.push_back({"opacity", percent_text(double(config.opacity), 1)});
 }
 
 void add_categories(LegendText& text, const ScalarMap& map, const MapSummary& summary,

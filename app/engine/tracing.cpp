@@ -178,6 +178,7 @@ std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int ro
     const int height = scaled_size(request.height, scale);
     const std::shared_ptr<Frame> scratch = frames_.take(width, height);
     FrameTask task = task_of(request);
+    task.config.counters = false;
     const auto frame = [&](FeatureSet forced) {
         task.config.forced = forced;
         machine.prepare(task, width, height);
@@ -188,7 +189,7 @@ std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int ro
         return !stop.stop_requested();
     };
     const bool on_cpu = request.tracer == TracerKind::cpu;
-    const std::vector<Feature> all = removable(request.world->facts, request.config, on_cpu);
+    const std::vector<Feature> all = timed_features(request.world->facts, request.config, on_cpu);
     std::vector<FeatureTime> times = time_features(all, frame, rounds, go_on);
     if (stop.stop_requested()) return {};
     return times;

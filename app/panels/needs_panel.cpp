@@ -103,7 +103,8 @@ void draw_measuring(const EngineState& state, bool outdated, Edit& edit) {
     const bool idle = !state.working() && !state.stale();
     if (widgets::button("measure",
                         idle ? "Traces frames with each feature put back and frames without any, in turn, and shows "
-                               "the median difference with its 95 % interval. A change of the picture ends it."
+                               "the median difference with its 95 % interval. Frames are timed without counters, "
+                               "as TIME does. A change of the picture ends it."
                              : "When the picture is done.",
                         idle))
         edit.do_once(Action::measure_needs);

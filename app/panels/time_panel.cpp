@@ -153,15 +153,19 @@ void draw_setup(const DuelState& duel) {
 }
 
 std::string clocks(const EngineState& state) {
+    const DuelState& duel = state.duel;
+    const std::string frame = duel.scale > 1 ? fmt::format("the picture in {} × {} of its {} × {} pixels", duel.width,
+                                                           duel.height, state.session.width, state.session.height)
+                                             : "the frame that is shown";
     std::string text = fmt::format(
-        "Both trace the frame that is shown, in turn, without counters; median and middle half of the last {} "
-        "rounds. Pauses while you work.\nCPU clock: {}.",
-        DuelState::history, state.duel.cpu_clock.empty() ? "steady clock" : state.duel.cpu_clock);
-    if (!state.duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", state.duel.gl_clock);
-    if (state.duel.clock_discrepancy != 0)
-        text += fmt::format("\nThe steady clock says {:+.1f} %.", 100 * state.duel.clock_discrepancy);
-    text += fmt::format("\nBefore the GPU's first frame: upload {}, compile {}.",
-                        setup_text(state.duel.gl_setup.upload_ms), setup_text(state.duel.gl_setup.compile_ms));
+        "Both trace {}, in turn, without counters; median and middle half of the last {} rounds. Pauses while you "
+        "work.\nCPU clock: {}.",
+        frame, DuelState::history, duel.cpu_clock.empty() ? "steady clock" : duel.cpu_clock);
+    if (!duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", duel.gl_clock);
+    if (duel.clock_discrepancy != 0)
+        text += fmt::format("\nThe steady clock says {:+.1f} %.", 100 * duel.clock_discrepancy);
+    text += fmt::format("\nBefore the GPU's first frame: upload {}, compile {}.", setup_text(duel.gl_setup.upload_ms),
+                        setup_text(duel.gl_setup.compile_ms));
     if (state.gl.software) text += "\nThis GPU is a program: llvmpipe runs the shaders on the CPU.";
     return text;
 }

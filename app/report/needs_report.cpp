@@ -17,10 +17,11 @@ namespace {
 std::vector<FeatureTime> time_left_out(const Rendering& r, const GlChoices& gl, int rounds, CommandContext& context,
                                        NeedsReport& report) {
     const Session& s = r.session;
-    const std::vector<Feature> features = removable(r.facts, s.trace, s.tracer == TracerKind::cpu);
+    const std::vector<Feature> features = timed_features(r.facts, s.trace, s.tracer == TracerKind::cpu);
     const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
     TraceConfig config = s.trace;
+    config.counters = false;
     const auto frame = [&](FeatureSet forced) {
         config.forced = forced;
         tracer->prepare(config, s.width, s.height);
@@ -118,7 +119,8 @@ void print(std::ostream& out, const NeedsReport& report) {
     if (report.renderer.empty()) return;
     out << fmt::format(
         "Saved: time of a frame with the feature put back, alone, minus time without, {} in turn:\nthe median and the "
-        "interval that holds it with 95 %. {}\nMemory: of tables and targets.\nClock: {}; {}.\n",
+        "interval that holds it with 95 %. Frames are timed without counters.\n{}\nMemory: of tables and "
+        "targets.\nClock: {}; {}.\n",
         counted(std::size_t(report.rounds), "round"),
         report.rounds < MedianInterval::least_samples
             ? fmt::format("Too few rounds: an interval takes {}.", MedianInterval::least_samples)

@@ -147,6 +147,7 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
         }
     });
     card.row("0: root", std::to_string(last));
+    card.row("cells of the ray", "", theme::ray_cells);
 }
 
 void add_all(Card& card, float bar, const Picture& picture) {

@@ -29,17 +29,15 @@ void draw_crosshair(ImDrawList& list, ImVec2 at) {
     list.AddCircle(at, gap, theme::selected, 0, width);
 }
 
-ImU32 colour_of(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
-
-/// With the splits all cells that the ray meets, and the leaf that a person stepped to on top of them.
+/// With the splits all cells that the ray meets, and the leaf that a person stepped to on top of them. One colour, none
+/// of those by depth: these cells lie deeper than the splits shown.
 void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& state, ImVec2 scale) {
-    const int deepest = state.world ? std::max(1, state.world->stats.deepest) : 1;
     const auto draw = [&](const ScreenLine& line, ImU32 colour, float width) {
         const ImVec2 a{area.x + line.x0 * scale.x, area.y + line.y0 * scale.y};
         const ImVec2 b{area.x + line.x1 * scale.x, area.y + line.y1 * scale.y};
         outlined_line(list, a, b, colour, theme::px(width));
     };
-    for (const ScreenLine& line : state.ray_cells) draw(line, colour_of(depth_colour(line.depth, deepest)), 1);
+    for (const ScreenLine& line : state.ray_cells) draw(line, theme::ray_cells, 1);
     if (!state.step) return;
     for (const ScreenLine& line : state.step->leaf.outline) draw(line, theme::text, 2);
 }

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Writes lantern.gltf: a brass lantern and a chrome ball on a tiled floor, everything in one file.
 
-usage: make_lantern.py lantern.gltf
+usage: make_lantern.py lantern.gltf [--unlit]
+
+--unlit puts the flame out: the light of the window, which has a direction and no place, is left.
 """
 
 import base64
@@ -178,7 +180,8 @@ nodes.append({"name": "camera", "camera": 0, "translation": eye, "rotation": loo
 nodes.append({"name": "flame", "translation": [0, 1.12, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}})
 nodes.append({"name": "window", "rotation": look_at([2.2, 3.0, 2.6], [0, 0, 0]),
               "extensions": {"KHR_lights_punctual": {"light": 1}}})
-scene_nodes += [len(nodes) - 3, len(nodes) - 2, len(nodes) - 1]
+flame = [] if "--unlit" in sys.argv[2:] else [len(nodes) - 2]
+scene_nodes += [len(nodes) - 3, *flame, len(nodes) - 1]
 
 image = "data:image/png;base64," + base64.b64encode(tiles_png(32)).decode()
 gltf = {

@@ -20,6 +20,11 @@ SceneNeeds stripped(SceneNeeds needs, const FeatureInfo& feature) {
 
 }  // namespace
 
+std::vector<Feature> timed_features(const SceneFacts& facts, TraceConfig config, bool on_cpu) {
+    config.counters = false;
+    return removable(facts, config, on_cpu);
+}
+
 std::vector<FeatureTime> time_features(const std::vector<Feature>& features, const ForcedFrame& frame, int rounds,
                                        const std::function<bool(float)>& progress) {
     struct Stopped {};

@@ -26,6 +26,9 @@ struct FeatureTime {
 /// Traces a frame with these features put back.
 using ForcedFrame = std::function<TimeSample(FeatureSet)>;
 
+/// What time_features() puts back: all that can return, and counters, since frames are timed without.
+[[nodiscard]] std::vector<Feature> timed_features(const SceneFacts& facts, TraceConfig config, bool on_cpu);
+
 /// `rounds` rounds of time_in_turn(); each takes a frame without and one with each feature. Before every frame that
 /// counts the same is traced once: tables, targets and programs that come and go with a feature are no part of its
 /// time. `progress` gets the fraction done; where it returns false the rest is left out and the result is empty.

@@ -78,7 +78,7 @@ TEST_P(EngineNeeds, WhatIsLeftOutIsTimedWhenAskedFor) {
     const EngineState& state = engine->state();
     EXPECT_EQ(state.needs.error, "");
     EXPECT_EQ(state.needs.times.size(),
-              removable(state.world->facts, state.session.trace, GetParam() == TracerKind::cpu).size());
+              timed_features(state.world->facts, state.session.trace, GetParam() == TracerKind::cpu).size());
     EXPECT_FALSE(state.needs_outdated());
     ASSERT_TRUE(force(*engine, Feature::normals));
     EXPECT_FALSE(engine->state().needs_outdated()) << "each was timed alone, whatever is put back now";

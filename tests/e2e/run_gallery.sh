@@ -31,6 +31,8 @@ while IFS= read -r path; do
     (($(stat -c %s "$file") > 5000)) || fail "$path has $(stat -c %s "$file") bytes"
 done <paths.txt
 [[ $(sort -u <<<"${kinds%$'\n'}" | wc -l) -eq 16 ]] || fail "not four pictures of each of four scenes: $(cat paths.txt)"
+different=$(while IFS= read -r path; do sha256sum <"$KD_SOURCE_DIR/$path"; done <paths.txt | sort -u | wc -l)
+[[ $different -eq 16 ]] || fail "only $different of the pictures differ from each other"
 
 "$KD_SOURCE_DIR/run" stats cornell >stats.txt 2>err.txt || fail "./run stats cornell: exit code $?: $(cat err.txt)"
 grep -q '^cornell: ' stats.txt || fail "no table: $(cat stats.txt)"

@@ -2,27 +2,56 @@
 # The read-out of a pixel holds the numbers that `kdscope render --csv` writes for it; a click pins it, Esc lets it go.
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
-start_window ball:1000 --traversal restart
-width=$(value frame.width)
-height=$(value frame.height)
-"$KDSCOPE" render ball:1000 --traversal restart --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
-
-# Value of a column of the table at a pixel.
+# table X Y COLUMN: of the pixel, from what the command line wrote for the same picture.
 table() {
     awk -F, -v x="$1" -v y="$2" -v name="$3" '
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
         $1 == x && $2 == y { print $c; exit }' r.csv
 }
+columns=(triangle interior_first interior_again leaves triangle_tests restarts backtracks stack_depth)
 
+# Every counter of every ray that the pixel has; one without a hit in the table has no reading.
 check_pixel() {
-    local x=$1 y=$2 name
+    local x=$1 y=$2 rays name shown written
     hover "$x" "$y"
     wait_for "^hovered.x=$x$" && wait_for "^hovered.y=$y$"
-    for name in triangle interior_first interior_again leaves triangle_tests restarts; do
-        [[ $(value "hovered.primary.$name") == "$(table "$x" "$y" "primary_$name")" ]] ||
-            fail "pixel $x,$y: $name is $(value "hovered.primary.$name") in the window, $(table "$x" "$y" "primary_$name") in the table"
+    for rays in primary shadow reflection; do
+        [[ -n $(value "hovered.$rays.leaves") ]] || continue
+        ((++readings[$rays]))
+        for name in "${columns[@]}"; do
+            shown=$(value "hovered.$rays.$name") written=$(table "$x" "$y" "${rays}_$name")
+            [[ $shown == "$written" ]] || fail "pixel $x,$y: $rays $name is $shown in the window, $written in the table"
+        done
+        shown=$(value "hovered.$rays.exit") written=$(table "$x" "$y" "${rays}_exit_reason")
+        [[ $shown == "$written" ]] || fail "pixel $x,$y: $rays exit is $shown in the window, $written in the table"
     done
+    # Distance along a primary ray, in the table in full and in the window as a number of its own.
+    shown=$(value hovered.primary.t) written=$(table "$x" "$y" primary_t)
+    [[ $(table "$x" "$y" primary_triangle) == -1 ]] ||
+        awk -v a="$shown" -v b="$written" 'BEGIN { exit !(a > 0 && (a - b) ^ 2 <= (1e-6 * b) ^ 2) }' ||
+        fail "pixel $x,$y: t is $shown in the window, $written in the table"
 }
+
+declare -A readings=([primary]=0 [shadow]=0 [reflection]=0)
+for walk in backtrack stack restart; do
+    start_window cornell --traversal "$walk"
+    width=$(value frame.width)
+    height=$(value frame.height)
+    "$KDSCOPE" render cornell --traversal "$walk" --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
+    for at in "2 2" "3 2" "3 4" "4 3" "5 4" "60 60"; do
+        read -r across down <<<"$at"
+        check_pixel $((width / across)) $((height / down))
+    done
+    stop_window
+done
+for rays in primary shadow reflection; do
+    ((readings[$rays] > 0)) || fail "no $rays ray was read"
+done
+
+start_window ball:1000 --traversal restart
+width=$(value frame.width)
+height=$(value frame.height)
+"$KDSCOPE" render ball:1000 --traversal restart --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
 check_pixel $((width / 2)) $((height / 2))
 check_pixel $((width / 3)) $((height / 4))
 check_pixel 5 5
