@@ -1,8 +1,11 @@
 #include "viz/divergence.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "renderer/trace/counters.h"
 
 namespace kd {
 namespace {

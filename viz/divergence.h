@@ -5,17 +5,10 @@
 // time and ends with its slowest lane. Lanes past the image border and lanes without a ray stay idle, and count.
 #pragma once
 
-#include <cstdint>
-
 #include "renderer/trace/efficiency.h"
 #include "renderer/trace/frame.h"
 
 namespace kd {
-
-/// n of a lane: interior visits (first and again) + leaves + triangle tests.
-[[nodiscard]] inline std::uint64_t lane_steps(const RayCounters& c) {
-    return std::uint64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
-}
 
 /// Step efficiency of every tile, painted on all its pixels: sum(n) / (W * max(n)), in [1/W, 1]; 1 = nobody waits. NaN
 /// for a tile in which no lane has a step to do. Tile sides are at least 1; tiles start at the top left.

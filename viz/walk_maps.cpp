@@ -35,6 +35,8 @@ float triangles(const LockstepLayer& walks, int x, int y) { return hits(walks, x
 float leaves(const LockstepLayer& walks, int x, int y) { return hits(walks, x, y, &LockstepGroup::leaves); }
 
 float overhead(const LockstepLayer& walks, int x, int y) { return walks.overhead.at(x, y); }
+float entry_depth(const LockstepLayer& walks, int x, int y) { return walks.entry_depth.at(x, y); }
+float steps_saved(const LockstepLayer& walks, int x, int y) { return walks.steps_saved.at(x, y); }
 
 void add_shape(const LockstepLayer& walks, ScalarMap& map) {
     map.facts.push_back({"tile", fmt::format("{}×{} = {} lanes", walks.tile_width, walks.tile_height, walks.lanes())});
@@ -67,6 +69,11 @@ void describe_hits(const LockstepLayer& walks, ScalarMap& map) {
 void describe_overhead(const LockstepLayer& walks, ScalarMap& map) {
     if (walks.whole_overhead > 0) map.facts.push_back({"whole image", fmt::format("{:.3f}", walks.whole_overhead)});
     map.facts.push_back({"other hits", number_text(double(walks.unlike_hits))});
+}
+
+void describe_entry(const LockstepLayer& walks, ScalarMap& map) {
+    map.facts.push_back({"walks begin at", walks.entry});
+    map.facts.push_back({"steps saved", fmt::format("{:.1f} %", 100 * walks.share_saved)});
 }
 
 constexpr auto table = std::to_array<MapInfo>({
@@ -127,6 +134,21 @@ constexpr auto table = std::to_array<MapInfo>({
          "How often a walk without a stack passes nodes for each time that one with a stack does. Not about groups.",
      .of_walks = overhead,
      .describe_walks = describe_overhead},
+    {.name = "entry-depth",
+     .title = "levels skipped by entry points",
+     .unit = "levels",
+     .kind = count,
+     .summary =
+         "How deep in the tree the ray's walk begins: 0 = at the root. Entry tiles and the eye's leaf change it.",
+     .of_walks = entry_depth,
+     .describe_walks = describe_entry},
+    {.name = "steps-saved",
+     .title = "steps saved by entry points",
+     .unit = "steps",
+     .kind = count,
+     .summary = "Steps of the same walk from the root, less those that it takes from its entry point.",
+     .of_walks = steps_saved,
+     .describe_walks = describe_entry},
 });
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "renderer/measure/frame_walks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -46,6 +48,30 @@ struct Overhead {
         unlike += more.unlike;
     }
     [[nodiscard]] double whole() const { return with_stack > 0 ? double(walked) / double(with_stack) : 0; }
+};
+
+/// Where the primary rays of a configuration begin.
+std::string entry_name(const TraceConfig& config, Pass rays) {
+    if (rays == Pass::rt_prim && enters_by_tile(config)) return fmt::format("{0}×{0} px tiles", config.entry_tile);
+    if (rays == Pass::rt_prim && enters_by_eye(config)) return "the eye's leaf";
+    return "the root";
+}
+
+int depth_of(const KdTree& tree, int node) {
+    int depth = 0;
+    for (; node > 0; node = tree.nodes[std::size_t(node)].parent) ++depth;
+    return depth;
+}
+
+/// Sums over pixels of what beginning below the root saves.
+struct Savings {
+    std::int64_t from_root = 0, saved = 0;
+
+    void add(const Savings& more) {
+        from_root += more.from_root;
+        saved += more.saved;
+    }
+    [[nodiscard]] double share() const { return from_root > 0 ? double(saved) / double(from_root) : 0; }
 };
 
 /// Some whole tiles, so that a block is worth a task of its own.
@@ -164,13 +190,16 @@ std::optional<LockstepLayer> walk_frame(WalkRequest request, Schedule schedule, 
     LockstepLayer layer(request.rays, schedule, tile_width, tile_height, request.width, request.height);
     request.block_width = block_side(tile_width);
     request.block_height = block_side(tile_height);
-    request.with_stack = true;
+    request.with_stack = request.from_root = true;
+    layer.entry = entry_name(request.config, request.rays);
     std::mutex mutex;
     Overhead all;
+    Savings all_saved;
     // Blocks are made of whole groups, and so no two threads write to one place.
     const auto fill = [&](const BlockWalks& block) {
         fill_groups(block, layer);
         Overhead own;
+        Savings own_saved;
         std::size_t i = 0;
         for (int y = block.area.y0; y < block.area.y1; ++y)
             for (int x = block.area.x0; x < block.area.x1; ++x, ++i) {
@@ -179,13 +208,19 @@ std::optional<LockstepLayer> walk_frame(WalkRequest request, Schedule schedule, 
                 own.add(pixel);
                 layer.steps.at(x, y) = std::int64_t(pixel.steps());
                 layer.overhead.at(x, y) = overhead_of(pixel);
+                layer.entry_depth.at(x, y) = float(depth_of(request.tree, pixel.entry_node));
+                const std::int64_t saved = std::int64_t(pixel.root_steps) - std::int64_t(pixel.steps());
+                layer.steps_saved.at(x, y) = float(saved);
+                own_saved.add({std::int64_t(pixel.root_steps), saved});
             }
         const std::scoped_lock lock(mutex);
         all.add(own);
+        all_saved.add(own_saved);
     };
     if (!record_walks(request, fill, std::move(stop), progress)) return std::nullopt;
     layer.unlike_hits = all.unlike;
     layer.whole_overhead = all.whole();
+    layer.share_saved = all_saved.share();
     return layer;
 }
 

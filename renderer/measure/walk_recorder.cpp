@@ -61,10 +61,12 @@ struct Recording {
     const WalkRequest& request;
     SceneView view;
     TraceConfig with_stack;
-    Frame none;  // nothing is drawn
+    bool enters;  // primary rays begin elsewhere than at the root
+    Frame none;   // nothing is drawn
 
     explicit Recording(const WalkRequest& asked)
-        : request(asked), view(asked.scene, asked.tree), with_stack(asked.config) {
+        : request(asked), view(asked.scene, asked.tree), with_stack(asked.config),
+          enters(asked.rays == Pass::rt_prim && (enters_by_tile(asked.config) || enters_by_eye(asked.config))) {
         view.prepare(asked.config);
         with_stack.traversal = Traversal::stack;
     }
@@ -83,13 +85,20 @@ void record_block(Recording& recording, BlockWalks& block) {
                       entry_points(request.tree, recording.view.boxes, request.config,
                                    {request.camera, request.width, request.height, block.area.x0, block.area.y0,
                                     block.area.x1, block.area.y1})};
-    // What the walks are compared with begins at the root, wherever they do.
+    // What the walks are compared with begins at the root, wherever they do: with a stack, and the same walk.
     const TileJob from_root{recording.view, request.config, request.camera, block.area, recording.none};
     WalkObserver nobody;
     Kernel<WalkObserver, rules> kernel(recording.view, request.config, nobody);
     CountingObserver uncounted;
     Kernel<CountingObserver, rules> stack_kernel(recording.view, recording.with_stack, uncounted);
-    std::array<Hit, pass_count> hits, stack_hits;
+    Kernel<CountingObserver, rules> root_kernel(recording.view, request.config, uncounted);
+    // The counters of a pixel's rays from the root.
+    const auto counted_by = [&](auto& other, int2 at, std::array<Hit, pass_count>& found) {
+        std::array<CountingObserver, pass_count> counted{};
+        walk_pixel(other, from_root, at, size, request.rays, counted, found);
+        return counted[pass].counters;
+    };
+    std::array<Hit, pass_count> hits, other_hits;
     std::size_t i = 0;
     for (int y = block.area.y0; y < block.area.y1; ++y)
         for (int x = block.area.x0; x < block.area.x1; ++x, ++i) {
@@ -100,12 +109,14 @@ void record_block(Recording& recording, BlockWalks& block) {
             pixel.rays = std::move(seen[pass].rays);
             pixel.hit_triangle = hits[pass].triangle;
             if (pixel.hit_triangle >= 0) pixel.hit_leaf = leaf_of_hit(request.tree, pixel.rays, pixel.hit_triangle);
+            if (recording.enters) pixel.entry_node = job.entries.at(x, y);
+            if (request.from_root)
+                pixel.root_steps =
+                    recording.enters ? lane_steps(counted_by(root_kernel, int2(x, y), other_hits)) : pixel.steps();
             if (!request.with_stack) continue;
-            std::array<CountingObserver, pass_count> counted{};
-            walk_pixel(stack_kernel, from_root, int2(x, y), size, request.rays, counted, stack_hits);
-            const RayCounters& c = counted[pass].counters;
+            const RayCounters c = counted_by(stack_kernel, int2(x, y), other_hits);
             pixel.stack_interior = std::uint64_t(c.interior_first) + c.interior_again;
-            pixel.same_hit = bit_equal(hits[pass], stack_hits[pass]);
+            pixel.same_hit = bit_equal(hits[pass], other_hits[pass]);
         }
 }
 

@@ -23,6 +23,7 @@ struct WalkRequest {
     Pass rays = Pass::rt_prim;
     int block_width = 32, block_height = 32;
     bool with_stack = false;  // fills PixelWalks::stack_interior and same_hit
+    bool from_root = false;   // fills PixelWalks::root_steps
     int threads = 0;          // 0 = all
 };
 

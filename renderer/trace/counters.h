@@ -1,6 +1,7 @@
 // The counters as a list of named quantities: panel, heatmap, CSV, JSON and tests read this one table.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -20,6 +21,11 @@ struct CounterInfo {
 
 /// "hit", "miss", "step cap", "stack overflow", "invalid ray".
 [[nodiscard]] std::string_view exit_reason_name(uint reason);
+
+/// n of a lane: interior visits (first and again) + leaves + triangle tests.
+[[nodiscard]] inline std::uint64_t lane_steps(const RayCounters& c) {
+    return std::uint64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
+}
 
 /// 64-bit sums over rays; `stack_depth` is the maximum.
 struct CounterTotals {

@@ -6,7 +6,9 @@ namespace kd {
 
 LockstepLayer::LockstepLayer(Pass pass, Schedule how, int tile_w, int tile_h, int width, int height)
     : rays(pass), schedule(how), tile_width(tile_w), tile_height(tile_h), steps(width, height, -1),
-      overhead(width, height, std::numeric_limits<float>::quiet_NaN()) {
+      overhead(width, height, std::numeric_limits<float>::quiet_NaN()),
+      entry_depth(width, height, std::numeric_limits<float>::quiet_NaN()),
+      steps_saved(width, height, std::numeric_limits<float>::quiet_NaN()) {
     groups.resize(std::size_t(columns()) * std::size_t((height + tile_h - 1) / tile_h));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "renderer/trace/efficiency.h"
@@ -32,6 +33,11 @@ struct LockstepLayer {
     Image<float> overhead;
     std::int64_t unlike_hits = 0;  // pixels where they do
     double whole_overhead = 0;     // of the sums over all pixels; 0 without any
+    std::string entry;             // where the walks begin, for people: "the root", "8×8 px tiles", "the eye's leaf"
+    /// Levels below the root at which each ray's walk begins, and the steps that this saves it, less than 0 where it
+    /// takes more from there; NaN where the pixel has no ray.
+    Image<float> entry_depth, steps_saved;
+    double share_saved = 0;  // of the steps from the root, over all pixels
 
     LockstepLayer() = default;
     /// Nothing walked yet.

@@ -56,6 +56,9 @@ struct PixelWalks {
     /// Interior visits of the same rays with a stack, where asked for, and whether their hit is the same to the bit.
     std::uint64_t stack_interior = 0;
     bool same_hit = true;
+    /// Where the primary ray's walk began, and the steps of the same walk from the root, where asked for.
+    int entry_node = 0;
+    std::uint64_t root_steps = 0;
 
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::uint64_t interior_steps() const;

@@ -109,6 +109,49 @@ TEST(WalkFrame, AStackHasNoOverheadAndRestartHas) {
     EXPECT_GT(restart.whole_overhead, 1.5);
 }
 
+TEST(WalkFrame, EntryPointsSaveTheStepsAboveThem) {
+    const Subject ball("ball:1000");
+    const LockstepLayer root = ball.layer(Schedule::while_while, 8, 4);
+    EXPECT_EQ(root.entry, "the root");
+    EXPECT_EQ(root.share_saved, 0.0);
+    for (const Image<float>* map : {&root.entry_depth, &root.steps_saved})
+        for (std::size_t i = 0; i < map->pixels.size(); ++i) ASSERT_EQ(map->pixels[i], 0.0f) << i;
+
+    for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack}) {
+        const TraceConfig from_root{.traversal = traversal};
+        const TraceConfig from_tiles{.traversal = traversal, .entry_tile = 8};
+        const LockstepLayer without = walk_frame(ball.request(from_root), Schedule::while_while, 8, 4).value();
+        const LockstepLayer with = walk_frame(ball.request(from_tiles), Schedule::while_while, 8, 4).value();
+        EXPECT_EQ(with.entry, "8×8 px tiles");
+        EXPECT_GT(with.share_saved, 0.05);
+        EXPECT_EQ(with.unlike_hits, 0);
+        std::int64_t all = 0, saved = 0;
+        for (std::size_t i = 0; i < with.steps.pixels.size(); ++i) {
+            // The whole walk is recorded from the root, too: what is saved is the difference of the two recordings.
+            ASSERT_EQ(with.steps_saved.pixels[i], float(without.steps.pixels[i] - with.steps.pixels[i])) << i;
+            all += without.steps.pixels[i];
+            saved += without.steps.pixels[i] - with.steps.pixels[i];
+            // A walk with a stack visits each node above its entry once, so that it saves as many at least.
+            if (traversal == Traversal::stack) {
+                ASSERT_GE(with.steps_saved.pixels[i], with.entry_depth.pixels[i]) << i;
+            }
+        }
+        EXPECT_DOUBLE_EQ(with.share_saved, double(saved) / double(all));
+    }
+}
+
+TEST(WalkFrame, RopesFromTheEyesLeafBeginThere) {
+    const Subject rooms("rooms");
+    const LockstepLayer layer =
+        walk_frame(rooms.request({.traversal = Traversal::ropes, .eye_leaf = true}), Schedule::while_while, 8, 4)
+            .value();
+    EXPECT_EQ(layer.entry, "the eye's leaf");
+    const float depth = layer.entry_depth.at(0, 0);
+    EXPECT_GT(depth, 0.0f);
+    for (const float each : layer.entry_depth.pixels) ASSERT_EQ(each, depth) << "all rays have one eye";
+    EXPECT_GT(layer.share_saved, 0.0);
+}
+
 TEST(WalkFrame, PublishedRulesFindOtherHitsThanTheirStack) {
     const Subject rooms("rooms");
     const TraceConfig config{.traversal = Traversal::restart, .rules = Rules::first_edition};

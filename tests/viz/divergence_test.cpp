@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/trace/counters.h"
 #include "tests/viz/synthetic.h"
 #include "viz/map.h"
 

@@ -46,7 +46,7 @@ TEST(Map, RegistryIsComplete) {
          {"nodes",      "first-visits", "revisits",    "revisit-share", "leaves",     "triangles",
           "restarts",   "backtracks",   "stack-depth", "exit",          "t",          "divergence",
           "idle",       "coherence",    "step-nodes",  "step-sectors",  "step-lines", "hit-triangles",
-          "hit-leaves", "overhead",     "oracle",      "t-error"}) {
+          "hit-leaves", "overhead",     "entry-depth", "steps-saved",   "oracle",     "t-error"}) {
         EXPECT_TRUE(names.contains(name)) << name;
     }
 }

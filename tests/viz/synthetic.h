@@ -103,6 +103,8 @@ inline LockstepLayer ball_walks(Schedule schedule = Schedule::lockstep) {
         for (int x = 0; x < frame_width && x < untraced_from; ++x) {
             walks.steps.at(x, y) = 10 + x % 8 + y;
             walks.overhead.at(x, y) = 1 + float(x * y % 50) / 25;
+            walks.entry_depth.at(x, y) = float((x / 8 + y / 8) % 6);
+            walks.steps_saved.at(x, y) = float(x % 8 + y % 8) - 2;
         }
     for (int y = 0; y < frame_height; y += 4)
         for (int x = 0; x < frame_width; x += 8) {
@@ -117,6 +119,8 @@ inline LockstepLayer ball_walks(Schedule schedule = Schedule::lockstep) {
     walks.overhead.at(3, 40) = std::numeric_limits<float>::infinity();
     walks.unlike_hits = 1;
     walks.whole_overhead = 2.5;
+    walks.entry = "8×8 px tiles";
+    walks.share_saved = 0.25;
     return walks;
 }
 

@@ -36,12 +36,15 @@ TEST(WalkMap, ShowsTheNumbersOfItsGroup) {
     EXPECT_EQ(value("hit-triangles"), 6.0f);
     EXPECT_EQ(value("hit-leaves"), 3.0f);
     EXPECT_EQ(value("overhead"), 1 + float(17 * 14 % 50) / 25);
+    EXPECT_EQ(value("entry-depth"), 3.0f);
+    EXPECT_EQ(value("steps-saved"), 5.0f);
 }
 
 TEST(WalkMap, PixelsWithoutARayHaveNoneOfTheirOwn) {
     const LockstepLayer walks = test::ball_walks(Schedule::if_if);
     EXPECT_TRUE(std::isnan(map_of("idle", &walks).values.at(61, 5)));
-    EXPECT_TRUE(std::isnan(map_of("overhead", &walks).values.at(61, 5)));
+    for (const char* name : {"overhead", "entry-depth", "steps-saved"})
+        EXPECT_TRUE(std::isnan(map_of(name, &walks).values.at(61, 5))) << name;
     EXPECT_FALSE(std::isnan(map_of("divergence", &walks).values.at(61, 5))) << "the group has rays";
     LockstepLayer none = test::ball_walks(Schedule::if_if);
     none.group_at(0, 0) = {};
@@ -55,6 +58,14 @@ TEST(WalkMap, OtherHitsThanWithAStackAreBroken) {
     EXPECT_TRUE(std::isinf(map.values.at(3, 40)));
     EXPECT_EQ(fact(map, "other hits"), "1");
     EXPECT_EQ(fact(map, "whole image"), "2.500");
+}
+
+TEST(WalkMap, TellsWhereWalksBegin) {
+    const LockstepLayer walks = test::ball_walks();
+    for (const char* name : {"entry-depth", "steps-saved"}) {
+        EXPECT_EQ(fact(map_of(name, &walks), "walks begin at"), "8×8 px tiles") << name;
+        EXPECT_EQ(fact(map_of(name, &walks), "steps saved"), "25.0 %") << name;
+    }
 }
 
 TEST(WalkMap, TellsScheduleAndShape) {
