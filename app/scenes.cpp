@@ -63,6 +63,8 @@ FlatScene load_scene(const std::string& name, unsigned seed) {
     if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);
     if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return std::move(*made);
     const fs::path file = scene_file(name);
+    if (std::error_code ignored; fs::is_directory(file, ignored))
+        throw InputError(fmt::format("scene '{}': is a folder; name a .gltf or .glb file in it", printable(name)));
     if (!names_gltf(file))
         throw InputError(
             fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));

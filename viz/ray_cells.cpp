@@ -129,9 +129,12 @@ RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, i
     std::vector<WorldLine> outline;
     add_box(cell, outline);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), double(ray.t_max)};
+    // A hit on the cell's face may be rounded to an ulp before it.
+    const double end = double(ray.t_max);
+    const DrawRay draw_ray{ray.origin, ray.direction, double(ray.t_min), end * (1 + double(KD_T_PADDING))};
     const DrawRay::Part part = draw_ray.part_in(cell.box).value_or(DrawRay::Part{none, none});
-    return {node, cell.depth, float(part.enters), float(part.leaves), on_screen(outline, camera, width, height)};
+    return {node, cell.depth, float(std::min(part.enters, end)), float(std::min(part.leaves, end)),
+            on_screen(outline, camera, width, height)};
 }
 
 }  // namespace kd

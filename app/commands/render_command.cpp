@@ -72,6 +72,12 @@ std::string verdict_text(const JudgedLayer& judged) {
     return text;
 }
 
+bool any_traced(const Frame& frame, Pass rays) {
+    for (std::size_t i = 0; i < frame.colour.pixels.size(); ++i)
+        if (ray_traced(frame, rays, i)) return true;
+    return false;
+}
+
 /// `listed`: why features are left out is about to be told.
 void print(std::ostream& out, const Rendering& r, bool listed) {
     const Session& s = r.session;
@@ -87,6 +93,9 @@ void print(std::ostream& out, const Rendering& r, bool listed) {
         if (r.time.pass_ms[pass] >= 0)
             out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],
                                shaded_text(r.time.shaded_pixels[pass]));
+    const Pass rays = s.view.map.rays;
+    if (s.view.show_map && !any_traced(r.frame, rays))
+        out << fmt::format("note      no {} ray was traced: the map has no values\n", ray_names[std::size_t(rays)]);
     if (const UnfinishedPixels unfinished = count_unfinished(r.frame); unfinished.pixels > 0)
         out << fmt::format("note      {}; see --map exit{}\n", unfinished_text(unfinished),
                            unfinished.rays == Pass::rt_prim ? "" : " --rays " + option_name(unfinished.rays));

@@ -41,7 +41,7 @@ void add_rows(std::string& table, std::string_view algorithm, const std::string&
         table += fmt::format("{},{},{},{},{},{},{},{}", i, algorithm, tracer, h.triangle >= 0 ? 1 : 0, h.triangle,
                              plain_zero(h.t), plain_zero(h.u), plain_zero(h.v));
         for (const CounterInfo& counter : counter_table()) table += fmt::format(",{}", counters[i].*counter.field);
-        table += fmt::format(",{}\n", counters[i].exit_reason);
+        table += fmt::format(",{}\n", exit_reason_name(counters[i].exit_reason));
     }
 }
 
@@ -185,7 +185,7 @@ Command trace_command() {
     return {
         "trace", "Traces your own rays with every traversal and tracer",
         "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
-        "exit_reason (0 miss, 1 hit, 2 step cap, 3 stack overflow, 4 invalid ray). Where nothing was hit, triangle is\n"
+        "exit_reason (miss, hit, step cap, stack overflow, invalid ray). Where nothing was hit, triangle is\n"
         "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
         "Every answer is compared with a loop over all triangles in double precision. Wrong ones are told on standard\n"
         "error with the ray in exact hexadecimal floats, and the exit code is 1.\n\n"

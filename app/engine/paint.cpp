@@ -86,7 +86,6 @@ BesideFrame beside_of(const PaintRequest& request) {
 
 MapMeaning meaning_of(MapView view) {
     MapMeaning meaning{{}, std::move(view.summary), count_categories(view.map)};
-    view.map.values = {};
     meaning.labels = std::move(view.map);
     return meaning;
 }

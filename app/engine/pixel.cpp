@@ -1,7 +1,9 @@
 #include "app/engine/pixel.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "app/engine/paint.h"
 #include "app/engine/state.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/scene/units.h"
@@ -35,6 +37,15 @@ std::optional<OracleReading> read_oracle(const TracedFrame& traced, PixelPositio
     JudgedHit judged = layer.hits.at(x, y);
     judged.exact = to_scene_units(scene, judged.exact);
     return OracleReading{layer.rays, judged, to_scene_units(scene, *ray)};
+}
+
+std::optional<float> read_map(const Picture& picture, PixelPosition pixel) {
+    if (!picture.map) return std::nullopt;
+    const Image<float>& values = picture.map->labels.values;
+    const int scale = picture.traced.scale * (picture.sketch ? sketch_step : 1);
+    const int x = pixel.x / scale, y = pixel.y / scale;
+    if (pixel.x < 0 || pixel.y < 0 || !values.contains(x, y) || std::isnan(values.at(x, y))) return std::nullopt;
+    return values.at(x, y);
 }
 
 std::optional<PixelPosition> next_wrong_place(const JudgedLayer& judged, std::optional<PixelPosition> from,

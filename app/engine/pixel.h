@@ -47,6 +47,10 @@ struct StepReading {
     int triangles = 0;  // that it lists
 };
 
+struct Picture;
+/// The value of the map that is shown; nothing without one, or where it has none.
+[[nodiscard]] std::optional<float> read_map(const Picture& picture, PixelPosition pixel);
+
 struct TracedFrame;
 
 /// What `traced`, if it was judged whole, says of a pixel of its frame.

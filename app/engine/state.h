@@ -55,7 +55,7 @@ struct TracedFrame {
 
 /// What the colours of a map mean.
 struct MapMeaning {
-    ScalarMap labels;  // without its values
+    ScalarMap labels;  // with the values of the frame that was painted
     MapSummary summary;
     std::vector<std::int64_t> category_pixels;  // of each of labels.categories
 };

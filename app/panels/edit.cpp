@@ -215,7 +215,7 @@ void change_text_scale(Edit& edit, int steps) {
     constexpr float step = 0.1f;
     float& scale = edit.window.text_scale;
     scale = steps == 0 ? 1 : step * std::round(scale / step + float(steps));
-    scale = std::clamp(scale, least_text_scale, largest_text_scale);
+    scale = std::clamp(scale, least_text_scale, std::max(least_text_scale, edit.room_for_text));
 }
 
 void lock_range(const EngineState& state, Edit& edit, bool lock) {

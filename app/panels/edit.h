@@ -96,20 +96,21 @@ enum class Action {
     stop_sampling,
 };
 
+inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
+
 struct Edit {
     Session session;
     WindowSettings window;
     std::vector<Action> actions;
-    std::string session_file;              // to be opened; empty where none was asked for
-    std::optional<PixelPosition> hovered;  // under the mouse
-    std::string last_export;               // for people: the file written last
-    std::string export_error;              // why the newest one was not; empty where it was
-    Exporter::Progress exporting;          // the file being written
+    std::string session_file;                  // to be opened; empty where none was asked for
+    std::optional<PixelPosition> hovered;      // under the mouse
+    std::string last_export;                   // for people: the file written last
+    std::string export_error;                  // why the newest one was not; empty where it was
+    Exporter::Progress exporting;              // the file being written
+    float room_for_text = largest_text_scale;  // the text scale up to which the window holds its panels
 
     void do_once(Action action) { actions.push_back(action); }
 };
-
-inline constexpr float least_text_scale = 0.8f, largest_text_scale = 2;
 
 /// The bottom panel that has efficiency against width measured while it is shown.
 inline constexpr const char* divergence_panel = "DIVERGENCE";

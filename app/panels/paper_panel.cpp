@@ -121,6 +121,7 @@ void draw_claim(const PaperClaim& claim) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopTextWrapPos();
+        widgets::hint(fmt::format("{}: {}", name_of(claim.verdict), claim.reason));
     }
     ImGui::TableNextColumn();
     widgets::note(name_of(claim.verdict), colour_of(claim.verdict));

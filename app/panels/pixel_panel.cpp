@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/engine/pixel.h"
 #include "app/panels/applies.h"
 #include "app/panels/panel.h"
 #include "app/panels/verdict_rows.h"
@@ -110,12 +111,24 @@ void draw_position(const std::optional<PixelReading>& reading, bool pinned) {
         pinned ? theme::selected : 0);
 }
 
+/// The value of a map that no counter below tells: those of groups of pixels and of whole walks.
+void draw_map_value(const EngineState& state, const std::optional<PixelReading>& reading) {
+    if (!state.picture || !state.picture->map) return;
+    const MapInfo* map = find_map(state.picture->view.map.map);
+    if (!map || map->of_pixel || map->needs_oracle()) return;
+    const std::optional<float> value = reading ? read_map(*state.picture, reading->pixel) : std::nullopt;
+    widgets::value(
+        map->name.data(), value ? number_text(double(*value)) : none,
+        fmt::format("The map's value here: {}{}{}.", map->title, map->unit.empty() ? "" : ", in ", map->unit));
+}
+
 }  // namespace
 
 void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const std::optional<PixelReading>& found = state.pinned ? state.pinned : state.hovered;
     const PixelReading reading = found.value_or(PixelReading{});
     draw_position(found, state.pinned.has_value());
+    draw_map_value(state, found);
     draw_rays(state, edit);
     draw_step(state, edit);
     const Pass read = rays_read(edit);

@@ -41,14 +41,16 @@ std::string glfw_error() {
 /// The display's scale, or what the environment says instead.
 float chosen_scale(float scale) { return environment_scale().value_or(std::clamp(scale, least_scale, largest_scale)); }
 
-WindowSize size_for_screen() {
+/// The wanted size kept to the screen's free area, or what suits that where none is wanted.
+WindowSize size_for_screen(WindowSize wanted) {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    if (!monitor) return {1280, 720};
+    if (!monitor) return wanted == WindowSize{} ? WindowSize{1280, 720} : wanted;
     int x = 0, y = 0;
     WindowSize free;
     float across = 1, down = 1;
     glfwGetMonitorWorkarea(monitor, &x, &y, &free.width, &free.height);
     glfwGetMonitorContentScale(monitor, &across, &down);
+    if (wanted != WindowSize{}) return {std::min(wanted.width, free.width), std::min(wanted.height, free.height)};
     return first_size(free, chosen_scale(std::max(across, down)));
 }
 
@@ -74,7 +76,7 @@ GLFWwindow* try_versions(const std::string& title, int width, int height,
 
 GlfwWindow::GlfwWindow(const std::string& title, WindowSize size, bool maximised) {
     if (!glfwInit()) refuse("cannot open a window");
-    if (size == WindowSize{}) size = size_for_screen();
+    size = size_for_screen(size);  // it may be of another screen
     glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
     window_ = try_versions(title, size.width, size.height, {{4, 3}, {3, 3}});
     if (!window_) refuse("cannot open a window with OpenGL 3.3");

@@ -60,7 +60,8 @@ void draw_text_scale(Edit& edit) {
     ImGui::SameLine();
     ImGui::TextUnformatted(fmt::format("{:.0f} %", 100 * edit.window.text_scale).c_str());
     ImGui::SameLine();
-    if (widgets::button("+", "Ctrl +", edit.window.text_scale < largest_text_scale, width))
+    if (widgets::button("+", "Ctrl +, as far as the window has room", edit.window.text_scale < edit.room_for_text,
+                        width))
         edits::change_text_scale(edit, 1);
 }
 

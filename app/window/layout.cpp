@@ -52,6 +52,12 @@ WindowSize first_size(WindowSize free, float scale) {
     return {along(free.width, least_width), along(free.height, least_height)};
 }
 
+float room_for_text(WindowSize size, float content_scale) {
+    constexpr float narrowest = 980, lowest = 550;  // that hold all panels at scale 1
+    const float room = std::min(float(size.width) / narrowest, float(size.height) / lowest) / content_scale;
+    return std::max(1.0f, std::floor(room * 10 + 1e-3f) / 10);
+}
+
 float upper_height(const ColumnHeights& heights, float room) {
     return std::ceil(std::clamp(heights.scrolling, 1.0f, std::max({1.0f, room - heights.staying, room / 3})));
 }

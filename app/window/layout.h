@@ -27,6 +27,10 @@ struct WindowSize {
 /// has as much.
 [[nodiscard]] WindowSize first_size(WindowSize free, float scale);
 
+/// The text scale, of `content_scale`, up to which a window of this size holds its panels side by side; in steps of a
+/// tenth, at least 1.
+[[nodiscard]] float room_for_text(WindowSize size, float content_scale);
+
 struct Layout {
     Rectangle top, left, picture, right, bottom, status;
 };

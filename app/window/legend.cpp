@@ -63,6 +63,7 @@ class Card {
 
 constexpr const LegendLayout& layout = card_layout;
 constexpr float least_bar = 64, bar_share = 0.14f;  // of the picture's height
+constexpr float largest_share = 0.75f;              // of it that a whole legend may take
 
 float px(int n) { return theme::px(float(n)); }
 
@@ -119,7 +120,10 @@ void add_bar(Card& card, float height, const Picture& picture, const LegendText&
     card.gap(10);
 }
 
-void add_map(Card& card, float bar, const Picture& picture) {
+/// How much of a legend there is room for.
+enum class Extent { whole, bar_alone };
+
+void add_map(Card& card, float bar, const Picture& picture, Extent extent) {
     const MapMeaning& map = *picture.map;
     const LegendText text = legend_text(map.labels, picture.view.heat, map.summary, map.category_pixels);
     card.text(text.title, theme::text, theme::font(theme::Type::body));
@@ -129,6 +133,7 @@ void add_map(Card& card, float bar, const Picture& picture) {
         add_bar(card, bar, picture, text);
     else
         card.gap(6);
+    if (extent == Extent::bar_alone && map.labels.categories.empty()) return;
     for (const LegendRow& row : text.rows)
         card.row(row.label, row.value, row.swatch.a != 0 ? colour_of(row.swatch) : 0);
 }
@@ -150,19 +155,19 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
     card.row("cells of the ray", "", theme::ray_cells);
 }
 
-void add_all(Card& card, float bar, const Picture& picture) {
-    if (picture.map) add_map(card, bar, picture);
+void add_all(Card& card, float bar, const Picture& picture, Extent extent) {
+    if (picture.map) add_map(card, bar, picture, extent);
     if (!picture.view.overlay.show) return;
     if (picture.map) card.gap(6);
     add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);
 }
 
 /// Rows first: their width says how texts wrap.
-ImVec2 measure(float bar, const Picture& picture) {
+ImVec2 measure(float bar, const Picture& picture, Extent extent) {
     Card rows(nullptr, {0, 0}, least_width());
-    add_all(rows, bar, picture);
+    add_all(rows, bar, picture, extent);
     Card card(nullptr, {0, 0}, std::ceil(rows.widest()));
-    add_all(card, bar, picture);
+    add_all(card, bar, picture, extent);
     return {card.width(), card.height()};
 }
 
@@ -192,7 +197,10 @@ void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner) 
     if (!picture.map && !picture.view.overlay.show) return;
     const float padding = theme::px(10);
     const float bar = bar_height(area);
-    const ImVec2 inner = measure(bar, picture);
+    Extent extent = Extent::whole;
+    ImVec2 inner = measure(bar, picture, extent);
+    // Of a small picture it would hide too much: numbers go before colours do.
+    if (inner.y > largest_share * area.height) inner = measure(bar, picture, extent = Extent::bar_alone);
     const ImVec2 size{inner.x + 2 * padding, inner.y + 2 * padding};
     const ImVec2 low = place_in(area, size, corner);
     if (low.x < area.x || low.y < area.y || size.x > area.width || size.y > area.height) return;  // no room for both
@@ -208,7 +216,7 @@ void draw_legend(const Rectangle& area, const Picture& picture, Corner& corner) 
     list.AddRectFilled(low, high, theme::faded(theme::background, 0.9f), theme::px(4));
     list.AddRect(low, high, theme::outline, theme::px(4));
     Card card(&list, {low.x + padding, low.y + padding}, inner.x);
-    add_all(card, bar, picture);
+    add_all(card, bar, picture, extent);
     ImGui::End();
     ImGui::PopStyleVar();
 }

@@ -158,6 +158,9 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["window"] = json_of(edit.window);
     json["picture_area"] = json_of(picture);
     json["hovered"] = json_of(state.hovered);
+    if (state.hovered && state.picture)
+        if (const auto value = read_map(*state.picture, state.hovered->pixel))
+            json["hovered"]["map"] = json_number(*value);
     json["pinned"] = json_of(state.pinned);
     json["step"] = json_of(state.step);
     json["bottom"] = edit.window.bottom;

@@ -135,7 +135,9 @@ void WindowLoop::draw_frame() {
 
 /// Between two frames: Dear ImGui takes no other fonts within one.
 void WindowLoop::apply_scale() {
-    const float wanted = window_.content_scale() * edit_.window.text_scale;
+    const float content = window_.content_scale();
+    edit_.room_for_text = std::min(largest_text_scale, room_for_text(window_.size(), content));
+    const float wanted = content * std::min(edit_.window.text_scale, edit_.room_for_text);
     if (wanted == scale_) return;
     scale_ = wanted;
     theme::apply(scale_);

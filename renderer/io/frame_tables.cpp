@@ -124,7 +124,8 @@ std::string frame_csv(const Frame& frame, const std::function<void(float)>& prog
                 fmt::format_to(out, ",{},{},{},{}", hit.triangle, plain_zero(hit.t), plain_zero(hit.u),
                                plain_zero(hit.v));
                 for (const CounterInfo& counter : counter_table()) fmt::format_to(out, ",{}", counters.*counter.field);
-                fmt::format_to(out, ",{}", exit_reason_name(counters.exit_reason));
+                const bool traced = ray_traced(frame, pass, frame.colour.index(x, y));
+                fmt::format_to(out, ",{}", traced ? exit_reason_name(counters.exit_reason) : "none");
             }
             text += '\n';
         }

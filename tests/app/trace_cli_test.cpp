@@ -58,6 +58,7 @@ TEST_F(Trace, EveryTraversalAgrees) {
         ASSERT_EQ(cells.size(), header.size());
         algorithms.insert(cells[1]);
         EXPECT_EQ(cells[2], "cpu");
+        EXPECT_EQ(cells[15], cells[3] == "1" ? "hit" : "miss");
         answers[cells[0]].insert({cells[3], cells[4], cells[5], cells[6], cells[7]});
     }
     EXPECT_EQ(rows, 4 * int(traversals().size()));

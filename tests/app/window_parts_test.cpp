@@ -183,6 +183,13 @@ TEST(Layout, TheFirstWindowSuitsTheScreen) {
     EXPECT_EQ(first_size({2560, 1600}, 2), (WindowSize{2560, 1440})) << "1280 x 720 at scale 2";
 }
 
+TEST(Layout, TextGrowsAsFarAsPanelsStandBesideEachOther) {
+    EXPECT_FLOAT_EQ(room_for_text({1280, 720}, 1), 1.3f);
+    EXPECT_FLOAT_EQ(room_for_text({1920, 1080}, 1), 1.9f);
+    EXPECT_FLOAT_EQ(room_for_text({2560, 1440}, 2), 1.3f) << "on a display of twice the density";
+    EXPECT_FLOAT_EQ(room_for_text({640, 480}, 1), 1) << "never smaller than it is at first";
+}
+
 TEST(HomePath, IsWrittenWithATilde) {
     const char* home = std::getenv("HOME");
     if (!home) GTEST_SKIP() << "no home folder";
@@ -258,6 +265,9 @@ TEST(Keys, TextGrowsAndShrinksWithCtrl) {
     EXPECT_TRUE(apply_key('0', ctrl, state, edit));
     EXPECT_FLOAT_EQ(edit.window.text_scale, 1);
     EXPECT_FALSE(apply_key('=', 0, state, edit));
+    edit.room_for_text = 1.3f;
+    for (int i = 0; i < 40; ++i) apply_key('=', ctrl, state, edit);
+    EXPECT_FLOAT_EQ(edit.window.text_scale, 1.3f) << "as far as the window has room";
 }
 
 TEST(Keys, HeatAndDivergenceRememberTheMap) {

@@ -24,6 +24,8 @@ Frame small_frame() {
     primary.counters.at(1, 0) = {1, 2, 3, 4, 5, 6, 8, KD_EXIT_HIT};
     primary.hit.at(0, 1).t = KD_T_LIMIT;
     primary.counters.at(2, 1).exit_reason = KD_EXIT_STEP_CAP;
+    for (Vec4& colour : frame.colour.pixels) colour.w = 1;  // traced
+    frame.colour.at(2, 0).w = 0;
     return frame;
 }
 
@@ -36,6 +38,7 @@ TEST(FrameCsv, HasARowPerPixelFromTheTop) {
               "primary_exit_reason");
     EXPECT_EQ(lines[1], "0,0,-1,0,0,0,0,0,0,0,0,0,0,miss");
     EXPECT_EQ(lines[2], "1,0,7,0.1,0.25,0.33333334,1,2,3,4,5,6,8,hit");
+    EXPECT_EQ(lines[3], "2,0,-1,0,0,0,0,0,0,0,0,0,0,none") << "not traced";
     EXPECT_EQ(lines[4], "0,1,-1,3e+38,0,0,0,0,0,0,0,0,0,miss");
     EXPECT_EQ(lines[6], "2,1,-1,0,0,0,0,0,0,0,0,0,0,step cap");
 }
@@ -62,6 +65,7 @@ TEST(FrameCsv, AddsThePassesThatRan) {
     EXPECT_EQ(lines[0].find("reflection_leaves"), std::string::npos);
     EXPECT_EQ(lines[0].find(",shadow_leaves"), std::string::npos);
     EXPECT_TRUE(holds(lines[6], ",-1,0,0,0,0,0,9,0,0,0,0,miss"));
+    EXPECT_TRUE(holds(lines[5], ",-1,0,0,0,0,0,0,0,0,0,0,none")) << "no such ray";
 }
 
 /// One channel of an EXR file; empty where it has none of that name.

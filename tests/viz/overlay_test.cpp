@@ -127,6 +127,22 @@ TEST(RayCells, AreTheLinesAlongThePixelsRayInThePicture) {
     }
 }
 
+TEST(RayCells, AHitOnTheFaceOfALeafIsInIt) {
+    const Scene scene;
+    const auto leaf = [&](const Hit& hit) {
+        return leaf_on_ray(test::three_leaf_tree(), 3, scene.camera, test::frame_width, test::frame_height, 44, 30,
+                           hit);
+    };
+    const RayLeaf passed = leaf({-1, 0, 0, 0});
+    ASSERT_GT(passed.enters, 0.0f);
+    ASSERT_GT(passed.leaves, passed.enters);
+    const float before = std::nextafter(passed.enters, 0.0f);
+    const RayLeaf touched = leaf({3, before, 0, 0});
+    EXPECT_EQ(touched.enters, before) << "the hit is rounded to an ulp before the face";
+    EXPECT_EQ(touched.leaves, before);
+    EXPECT_TRUE(std::isnan(leaf({3, 0.9f * passed.enters, 0, 0}).enters)) << "and this one lies before it";
+}
+
 TEST(RayCells, EndAtTheHitAndAtTheLimit) {
     const Scene scene;
     const auto cells_to = [&](const Hit& hit, std::size_t most) {
