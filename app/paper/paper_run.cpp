@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/frame/counted_frame.h"
 #include "app/frame/frame_tracer.h"
 #include "app/paper/paper_counts.h"
 #include "app/report/machine_info.h"
@@ -187,20 +188,23 @@ class PaperRun {
 
     void prepare(PaperScene& scene, Stage& stage, const PaperMethodInfo& method, FrameTracer& tracer,
                  const TraceConfig& trace) {
+        const std::string name = fmt::format("{} on {}", method.name, scene.name);
+        const PinholeCamera& camera = stage.world->camera;
+        if (const auto frame = trace_counted(tracer, trace, camera, results_.width, results_.height, stop_))
+            note_unfinished(*frame, name, results_.notes);
         tracer.prepare(trace, results_.width, results_.height);
         // The first draw ends what the compiler began.
-        tracer.trace(trace, stage.world->camera, results_.width, results_.height, stop_);
+        tracer.trace(trace, camera, results_.width, results_.height, stop_);
         PaperTimes times;
         times.method = method.id;
         times.clock = tracer.clock();
         times.upload_ms = tracer.setup().upload_ms;
         times.compile_ms = tracer.setup().compile_ms;
         scene.times.push_back(times);
-        const std::string name = fmt::format("{} on {}", method.name, scene.name);
-        contestants_.push_back({name, [this, &stage, &tracer, trace, name] {
+        contestants_.push_back({name, [this, &camera, &tracer, trace] {
                                     if (stopped()) throw Interrupted();
-                                    const FrameTime time = tracer.trace(trace, stage.world->camera, results_.width,
-                                                                        results_.height, stop_);
+                                    const FrameTime time =
+                                        tracer.trace(trace, camera, results_.width, results_.height, stop_);
                                     if (!time.complete) throw Interrupted();
                                     return time.sample();
                                 }});
