@@ -11,12 +11,12 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
+#include "app/frame/counted_frame.h"
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
-#include "viz/unfinished.h"
 
 namespace kd {
 
@@ -72,13 +72,10 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             row.software_gl = tracer->software_gl();
             try {
                 // Counters come from a frame of their own: counting is not free.
-                tracer->prepare(config, s.width, s.height);
-                tracer->trace(config, bench.camera, s.width, s.height, context.stop);
+                const auto frame = trace_counted(*tracer, config, bench.camera, s.width, s.height, context.stop);
                 check_stop(context);
-                const Frame frame = tracer->frame(config);
-                row.counters = sum_of(pass_totals(frame, bench.rays));
-                if (const UnfinishedPixels unfinished = count_unfinished(frame); unfinished.pixels > 0)
-                    bench.notes.push_back(fmt::format("{}: {}", name, unfinished_text(unfinished)));
+                row.counters = sum_of(pass_totals(frame.value(), bench.rays));
+                note_unfinished(*frame, name, bench.notes);
             } catch (const InputError& error) {
                 if (options.traversal) throw;
                 bench.notes.push_back(fmt::format("{} left out: {}", name, error.what()));

@@ -87,10 +87,13 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
         const auto show = [&](float done, const std::string& what) { progress.show(done, what); };
         results = run_error_time(config, scenes, show, context.stop);
     }
-    for (const SceneErrorTime& scene : results.scenes)
+    for (const SceneErrorTime& scene : results.scenes) {
         for (const LeftOut& left : scene.left_out)
             context.err << fmt::format("kdscope: note: {}: {} left out: {}\n", scene.name.shown,
                                        error_report_names[std::size_t(left.report)], left.why);
+        for (const std::string& note : scene.notes)
+            context.err << fmt::format("kdscope: note: {}: {}\n", scene.name.shown, note);
+    }
     if (!can_draw_charts()) context.err << fmt::format("kdscope: note: {}\n", no_gnuplot_text);
     for (const std::string& name : write_error_time(options.folder, results, context.stop))
         context.out << (fs::path(options.folder) / name).string() << '\n';

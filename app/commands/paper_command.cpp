@@ -39,7 +39,10 @@ PaperConfig config_for(const CLI::App& app, const PaperOptions& options) {
     config.base.trace.rules = given.trace.rules;
     config.context = options.context.value_or(ContextKind::automatic);
     config.gpu = !options.tracer || *options.tracer != TracerKind::cpu;
-    if (options.seconds > 0) config.budget_s = config.longest_s = options.seconds;
+    if (options.seconds > 0) {
+        config.budget_s = options.seconds;
+        config.longest_s.reset();
+    }
     return config;
 }
 

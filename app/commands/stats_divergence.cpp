@@ -102,14 +102,15 @@ void print(std::ostream& out, const DivergenceReport& report) {
                      {"leaves"},
                      {"r"}});
     for (const DivergencePoint& point : report.points) {
-        const EfficiencySummary& loops = point.by_schedule[std::size_t(Schedule::while_while)];
+        const auto by = [&point](Schedule schedule) { return point.by_schedule[std::size_t(schedule)]; };
+        const EfficiencySummary loops = by(Schedule::while_while);
         const double steps = double(point.reads.iterations);
         const auto per_step = [&](std::uint64_t sum) {
             return steps > 0 ? fmt::format("{:.2f}", double(sum) / steps) : "-";
         };
         const auto r = [](double value) { return std::isnan(value) ? "-" : fmt::format("{:+.2f}", value); };
         table.add_row({fmt::format("{}", point.lanes()), fmt::format("{}x{}", point.tile_width, point.tile_height),
-                       share(point.by_schedule[0].weighted), share(point.by_schedule[1].weighted),
+                       share(by(Schedule::lockstep).weighted), share(by(Schedule::if_if).weighted),
                        share(loops.weighted), share(loops.mean), share(loops.median), share(loops.p5),
                        per_step(point.reads.lanes), per_step(point.reads.nodes), per_step(point.reads.sectors),
                        per_step(point.reads.lines), share(point.reads.coherence()),

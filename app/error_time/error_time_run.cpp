@@ -6,6 +6,7 @@
 
 #include "app/choices.h"
 #include "app/cli/command.h"
+#include "app/frame/counted_frame.h"
 #include "app/frame/frame_tracer.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
@@ -138,6 +139,7 @@ class Run {
             for (const Traversal traversal : config_.traversals) add_method(kind, *tracer, traversal, side, task);
         task.plan = plan_images(0.85 * seconds, probe(task), probe_reference(task), probe_side * probe_side);
         *side = task.plan.width;
+        note_given_up(machines, task, result.notes);
         for (auto& [kind, tracer] : machines.all) {
             for (ImageMethod& method : task.methods)
                 if (method.machine == name_of(kind)) method.clock = tracer->clock();
@@ -163,6 +165,20 @@ class Run {
                                     colour = tracer.frame(config).colour;
                                     return time.sample();
                                 }});
+    }
+
+    /// The frames of a report have no counters, so a first one of each method has.
+    void note_given_up(Machines& machines, const ImageTask& task, std::vector<std::string>& notes) const {
+        const int width = task.plan.width, height = task.plan.height;
+        TraceConfig config = task.config;
+        for (auto& [kind, tracer] : machines.all)
+            for (const Traversal traversal : config_.traversals) {
+                config.traversal = traversal;
+                const auto frame =
+                    trace_counted(*tracer, config, pinhole(task.scene.camera, width, height), width, height, stop_);
+                check();
+                note_unfinished(frame.value(), fmt::format("{} on {}", info(traversal).name, name_of(kind)), notes);
+            }
     }
 
     /// Its clock is known once it has traced.

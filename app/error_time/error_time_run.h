@@ -47,6 +47,7 @@ struct SceneErrorTime {
     std::optional<ImageReport> images;
     std::optional<TreeReport> trees;  // P3 and P4 share their trees
     std::vector<LeftOut> left_out;
+    std::vector<std::string> notes;  // "restart on cpu: 312 pixels unfinished: step cap"
 };
 
 struct ErrorTimeResults {

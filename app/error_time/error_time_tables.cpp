@@ -7,9 +7,10 @@
 namespace kd {
 
 std::string scene_csv(const ErrorTimeResults& results) {
-    std::string text = "scene,files,contents\n";
+    std::string text = "scene,files,contents,notes\n";
     for (const SceneErrorTime& scene : results.scenes)
-        text += csv_row(scene.name.shown, scene.name.stem, scene.contents);
+        text +=
+            csv_row(scene.name.shown, scene.name.stem, scene.contents, fmt::format("{}", fmt::join(scene.notes, "; ")));
     return text;
 }
 

@@ -47,6 +47,7 @@ void write_images(ReportWriter& page, const SceneErrorTime& scene) {
         page.number(at + "sets", report.plan.sets, "{:.0f}"),
         page.number(at + "reference samples", report.plan.reference_samples, "{:.0f}"),
         page.number(at + "reference RMSE", report.reference_rmse));
+    for (const std::string& note : scene.notes) page.html += fmt::format("<p><b>Note</b>: {}.</p>\n", html_text(note));
     page.show(image_figures(scene));
     const ImageCurve& first = report.curves.front();
     const auto is_first = [&](const ImageCurve& curve) {

@@ -65,13 +65,14 @@ void draw_row(const DivergencePoint& point, Edit& edit) {
     Places::note("width " + lanes);
     const NodeReads& reads = point.reads;
     const double steps = double(std::max<std::uint64_t>(reads.iterations, 1));
+    const EfficiencySummary& loops = point.by_schedule[std::size_t(Schedule::while_while)];
     widgets::hint(fmt::format(
         "{} × {} pixels. Click: show groups of this shape.\n\nOf while-while: median tile {}, worst 5 % ≤ {}."
         "\nWhen nodes are read: {:.1f} lanes at a time, {:.1f} different nodes in {:.1f} sectors "
         "and {:.1f} lines.",
-        point.tile_width, point.tile_height, share_text(point.by_schedule[2].median),
-        share_text(point.by_schedule[2].p5), double(reads.lanes) / steps, double(reads.nodes) / steps,
-        double(reads.sectors) / steps, double(reads.lines) / steps));
+        point.tile_width, point.tile_height, share_text(loops.median), share_text(loops.p5),
+        double(reads.lanes) / steps, double(reads.nodes) / steps, double(reads.sectors) / steps,
+        double(reads.lines) / steps));
     for (const EfficiencySummary& e : point.by_schedule) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(share_text(e.weighted).c_str());

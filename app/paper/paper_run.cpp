@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 
 #include "app/cli/command.h"
+#include "app/frame/counted_frame.h"
 #include "app/frame/frame_tracer.h"
 #include "app/paper/paper_counts.h"
 #include "app/report/machine_info.h"
@@ -186,20 +188,23 @@ class PaperRun {
 
     void prepare(PaperScene& scene, Stage& stage, const PaperMethodInfo& method, FrameTracer& tracer,
                  const TraceConfig& trace) {
+        const std::string name = fmt::format("{} on {}", method.name, scene.name);
+        const PinholeCamera& camera = stage.world->camera;
+        if (const auto frame = trace_counted(tracer, trace, camera, results_.width, results_.height, stop_))
+            note_unfinished(*frame, name, results_.notes);
         tracer.prepare(trace, results_.width, results_.height);
         // The first draw ends what the compiler began.
-        tracer.trace(trace, stage.world->camera, results_.width, results_.height, stop_);
+        tracer.trace(trace, camera, results_.width, results_.height, stop_);
         PaperTimes times;
         times.method = method.id;
         times.clock = tracer.clock();
         times.upload_ms = tracer.setup().upload_ms;
         times.compile_ms = tracer.setup().compile_ms;
         scene.times.push_back(times);
-        const std::string name = fmt::format("{} on {}", method.name, scene.name);
-        contestants_.push_back({name, [this, &stage, &tracer, trace, name] {
+        contestants_.push_back({name, [this, &camera, &tracer, trace] {
                                     if (stopped()) throw Interrupted();
-                                    const FrameTime time = tracer.trace(trace, stage.world->camera, results_.width,
-                                                                        results_.height, stop_);
+                                    const FrameTime time =
+                                        tracer.trace(trace, camera, results_.width, results_.height, stop_);
                                     if (!time.complete) throw Interrupted();
                                     return time.sample();
                                 }});
@@ -222,44 +227,49 @@ class PaperRun {
         for (const auto& [name, stage] : stages_)
             if (stage.gpu) results_.on = measured_on(config_.base, varied, stage.gpu.get());
         tell(0.2f, "warming up");
-        const TimingPlan plan{.warmup = config_.warmup,
-                              .rounds = config_.most_rounds,
-                              .budget_s = config_.budget_s,
-                              .least_rounds = MedianInterval::least_samples};
-        const auto begin = std::chrono::steady_clock::now();
-        const auto spent = [&] {
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        };
-        const auto show = [&](int rounds, std::span<const TimedRounds> so_far) {
+        const TimingPlan plan = timing_plan();
+        const auto show = [this, &plan, from_s = spent_s()](int rounds, std::span<const TimedRounds> so_far) {
             take_over(so_far);
-            const double done = std::max(double(rounds) / plan.rounds,
-                                         std::min(spent() / plan.budget_s, double(rounds) / plan.least_rounds));
-            tell(0.2f + 0.7f * float(std::min(done, 1.0)), fmt::format("round {} of all tracers in turn", rounds));
+            tell_round(plan, from_s, rounds);
         };
         try {
-            time_until_decided(time_in_turn(contestants_, plan, show), spent);
+            (void)time_in_turn(contestants_, plan, show);
         } catch (const Interrupted&) {
             // What the rounds before gave is kept.
         }
     }
 
-    /// Further rounds, a few at a time, while a claim that must be decided is open for want of them.
-    void time_until_decided(std::vector<TimedRounds> timed, const std::function<double()>& spent) {
-        const TimingPlan few{.warmup = 0, .rounds = 6};
-        const double first_s = spent(), open_s = config_.longest_s - first_s;
-        while (wants_rounds(results_) && spent() < config_.longest_s) {
-            const std::vector<TimedRounds> begun = timed;
-            const auto show = [&](int, std::span<const TimedRounds> more) {
-                for (std::size_t i = 0; i < timed.size(); ++i) {
-                    timed[i].rounds = begun[i].rounds;
-                    timed[i].rounds.insert(timed[i].rounds.end(), more[i].rounds.begin(), more[i].rounds.end());
-                }
-                take_over(timed);
-                const double done = std::min(1.0, (spent() - first_s) / open_s);
-                tell(0.9f + 0.1f * float(done), fmt::format("round {}, a claim is open yet", results_.rounds));
-            };
-            (void)time_in_turn(contestants_, few, show);
+    [[nodiscard]] double spent_s() const { return steady_seconds() - begin_s_; }
+
+    /// Its clock is that of the whole run: what was counted and prepared before the rounds took time, too.
+    [[nodiscard]] TimingPlan timing_plan() {
+        return {.warmup = config_.warmup,
+                .rounds = config_.most_rounds,
+                .budget_s = config_.budget_s,
+                .least_rounds = MedianInterval::least_samples,
+                .is_open = [this] { return is_open(); },
+                .ends_at_s = config_.longest_s.value_or(spent_s() + config_.budget_s),
+                .clock = [this] { return spent_s(); }};
+    }
+
+    bool is_open() {
+        const bool open = wants_rounds(results_);
+        if (open && !open_since_s_) open_since_s_ = spent_s();
+        return open;
+    }
+
+    void tell_round(const TimingPlan& plan, double from_s, int rounds) {
+        const auto part = [this](double from, double to) {
+            return to > from ? std::min(1.0, (spent_s() - from) / (to - from)) : 1.0;
+        };
+        if (open_since_s_) {
+            tell(0.9f + 0.1f * float(part(*open_since_s_, plan.ends_at_s)),
+                 fmt::format("round {}, a claim is open yet", rounds));
+            return;
         }
+        const double by_time = std::min(part(from_s, from_s + plan.budget_s), double(rounds) / plan.least_rounds);
+        tell(0.2f + 0.7f * float(std::min(1.0, std::max(double(rounds) / plan.rounds, by_time))),
+             fmt::format("round {} of all tracers in turn", rounds));
     }
 
     const PaperConfig& config_;
@@ -268,6 +278,8 @@ class PaperRun {
     PaperResults results_;
     std::map<std::string, Stage, std::less<>> stages_;
     std::vector<Contestant> contestants_;
+    double begin_s_ = steady_seconds();
+    std::optional<double> open_since_s_;
 };
 
 }  // namespace
@@ -278,7 +290,8 @@ PaperConfig paper_config(bool quick) {
     config.quick = quick;
     if (!quick) return config;
     config.base.width = config.base.height = 128;
-    config.budget_s = config.longest_s = 20;
+    config.budget_s = 20;
+    config.longest_s.reset();
     return config;
 }
 

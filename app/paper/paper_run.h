@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -16,14 +17,16 @@ struct PaperConfig {
     ContextKind context = ContextKind::automatic;
     bool gpu = true;
     bool quick = false;
-    double budget_s = 300;   // of the timed rounds
-    double longest_s = 480;  // of these and of those that follow while a claim that must be decided is open
+    double budget_s = 300;  // of the timed rounds
+    /// Of the whole run, from the first count to the last of the rounds that follow while a claim that must be decided
+    /// is open; none: these end with the budget.
+    std::optional<double> longest_s = 480;
     int warmup = 1;
     int most_rounds = 31;
 };
 
-/// 512x512, one CPU thread as in 2006, five to eight minutes of rounds, or 31 where these decide; `quick`: 128x128 and
-/// twenty seconds.
+/// 512x512, one CPU thread as in 2006, five minutes of rounds, or 31, and more up to eight minutes in all where these
+/// do not decide; `quick`: 128x128 and twenty seconds.
 [[nodiscard]] PaperConfig paper_config(bool quick);
 
 /// 0..1, what is being done, and all that was found so far.

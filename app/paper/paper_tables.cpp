@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/kdtree/tree.h"
 #include "viz/csv.h"
 
 namespace kd {
@@ -112,15 +113,16 @@ PaperTable count_table(const PaperResults& results) {
         for (const PaperCounts& c : scene.counts) {
             const double rays = double(std::max<std::int64_t>(scene.ray_sum(), 1));
             const bool restart = c.traversal == Traversal::restart && !scene.seed_node_ratios.empty();
-            table.rows.push_back(
-                {scene.name, fmt::format("{}", scene.triangles), fmt::format("{}", scene.nodes), "16",
-                 fmt::format("{:.1f}", scene.build_ms), fmt::format("{}", scene.ray_sum()),
-                 std::string(info(c.traversal).name), fmt::format("{:.2f}", double(c.interior()) / rays),
-                 fmt::format("{:.2f}", scene.node_ratio(c.traversal)),
-                 fmt::format("{:.2f}", double(c.all.leaves) / rays),
-                 fmt::format("{:.2f}", double(c.all.triangle_tests) / rays),
-                 fmt::format("{:.2f}", double(c.all.restarts) / rays), fmt::format("{:.3f}", c.step_efficiency),
-                 restart ? interval_text(median_interval(scene.seed_node_ratios)) : ""});
+            table.rows.push_back({scene.name, fmt::format("{}", scene.triangles), fmt::format("{}", scene.nodes),
+                                  fmt::format("{}", sizeof(TreeNode)), fmt::format("{:.1f}", scene.build_ms),
+                                  fmt::format("{}", scene.ray_sum()), std::string(info(c.traversal).name),
+                                  fmt::format("{:.2f}", double(c.interior()) / rays),
+                                  fmt::format("{:.2f}", scene.node_ratio(c.traversal)),
+                                  fmt::format("{:.2f}", double(c.all.leaves) / rays),
+                                  fmt::format("{:.2f}", double(c.all.triangle_tests) / rays),
+                                  fmt::format("{:.2f}", double(c.all.restarts) / rays),
+                                  fmt::format("{:.3f}", c.step_efficiency),
+                                  restart ? interval_text(median_interval(scene.seed_node_ratios)) : ""});
         }
     return table;
 }

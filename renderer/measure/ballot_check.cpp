@@ -25,6 +25,13 @@ struct Round {
     std::vector<Ray> rays;
     std::vector<Phases> phases;
     std::vector<std::uint8_t> there;
+
+    [[nodiscard]] PixelPhases walks() const {
+        PixelPhases walks(rays.size(), nullptr);
+        for (std::size_t i = 0; i < walks.size(); ++i)
+            if (there[i]) walks[i] = &phases[i];
+        return walks;
+    }
 };
 
 bool shadow(Pass rays) { return rays == Pass::shade_prim || rays == Pass::shade_refl; }
@@ -111,79 +118,67 @@ void find_tile(const BallotLayer& layer, BallotReport& report) {
         }
 }
 
-/// One drawing and what the CPU says of it.
-class Comparison {
-  public:
-    Comparison(const WalkRequest& request, Schedule loop, const Round& round, const BallotLayer& layer,
-               BallotReport& report)
-        : request_(request), loop_(loop), round_(round), layer_(layer), report_(report) {}
+std::string place(const BallotLayer& layer, std::size_t pixel) {
+    const auto width = std::size_t(layer.lanes.width);
+    return fmt::format("{}, {}", pixel % width, pixel / width);
+}
 
-    /// With `paint` the report's maps are of this round.
-    void compare_groups(bool paint) {
-        if (paint) report_.measured_map = report_.computed_map = Image<float>(request_.width, request_.height, NAN);
-        for (const auto& [group, pixels] : groups_of(layer_)) {
-            GroupTally measured;
-            std::vector<const Phases*> phases;
-            for (const std::size_t i : pixels) {
-                const LaneBallots& lane = layer_.lanes.pixels[i];
-                measured += {std::uint64_t(lane.led_lanes[0]) + lane.led_lanes[1],
-                             std::uint64_t(lane.led[0]) + lane.led[1], lane.led[0]};
-                if (round_.there[i]) phases.push_back(&round_.phases[i]);
-            }
-            if (phases.empty()) continue;
-            const GroupTally computed = run_phases(phases, loop_);
-            add(pixels.front(), measured, computed);
-            if (!paint) continue;
-            for (const std::size_t i : pixels) {
-                report_.measured_map.pixels[i] = float(measured.efficiency(layer_.group_size));
-                report_.computed_map.pixels[i] = float(computed.efficiency(layer_.group_size));
-            }
-        }
+void add_group(const BallotLayer& layer, std::size_t pixel, const GroupTally& measured, const GroupTally& computed,
+               BallotReport& report) {
+    ++report.groups;
+    report.measured += measured;
+    report.computed += computed;
+    if (measured == computed) return;
+    ++report.differ;
+    if (report.first_difference.empty())
+        report.first_difference =
+            fmt::format("the group of pixel {}: {} iterations ({} at interior nodes) with {} active lanes measured, {} "
+                        "({}) with {} computed",
+                        place(layer, pixel), measured.iterations, measured.interior_iterations, measured.steps,
+                        computed.iterations, computed.interior_iterations, computed.steps);
+}
+
+void compare_rays(CpuTracer& cpu, const WalkRequest& request, const Round& round, const BallotLayer& layer,
+                  BallotReport& report) {
+    std::vector<Hit> hits(round.rays.size());
+    std::vector<RayCounters> counters(round.rays.size());
+    cpu.trace_rays(request.config, round.rays, shadow(request.rays), hits, counters, request.threads);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!round.there[i]) continue;
+        ++report.rays;
+        if (bit_equal(layer.hit.pixels[i], hits[i]) && layer.counters.pixels[i] == counters[i]) continue;
+        ++report.unlike;
+        if (report.first_difference.empty())
+            report.first_difference = fmt::format("the ray of pixel {} differs from the CPU's: triangle {} and {}",
+                                                  place(layer, i), layer.hit.pixels[i].triangle, hits[i].triangle);
     }
-
-    void compare_rays(CpuTracer& cpu, const TraceConfig& config) {
-        std::vector<Hit> hits(round_.rays.size());
-        std::vector<RayCounters> counters(round_.rays.size());
-        cpu.trace_rays(config, round_.rays, shadow(request_.rays), hits, counters, request_.threads);
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (!round_.there[i]) continue;
-            ++report_.rays;
-            if (bit_equal(layer_.hit.pixels[i], hits[i]) && layer_.counters.pixels[i] == counters[i]) continue;
-            ++report_.unlike;
-            if (report_.first_difference.empty())
-                report_.first_difference = fmt::format("the ray of pixel {} differs from the CPU's: triangle {} and {}",
-                                                       place(i), layer_.hit.pixels[i].triangle, hits[i].triangle);
-        }
-    }
-
-  private:
-    const WalkRequest& request_;
-    Schedule loop_;
-    const Round& round_;
-    const BallotLayer& layer_;
-    BallotReport& report_;
-
-    [[nodiscard]] std::string place(std::size_t i) const {
-        return fmt::format("{}, {}", i % std::size_t(request_.width), i / std::size_t(request_.width));
-    }
-
-    void add(std::size_t pixel, const GroupTally& measured, const GroupTally& computed) {
-        ++report_.groups;
-        report_.measured += measured;
-        report_.computed += computed;
-        if (measured == computed) return;
-        ++report_.differ;
-        if (report_.first_difference.empty())
-            report_.first_difference =
-                fmt::format("the group of pixel {}: {} iterations ({} at interior nodes) with {} active lanes "
-                            "measured, {} ({}) with {} "
-                            "computed",
-                            place(pixel), measured.iterations, measured.interior_iterations, measured.steps,
-                            computed.iterations, computed.interior_iterations, computed.steps);
-    }
-};
+}
 
 }  // namespace
+
+void compare_groups(const BallotLayer& layer, const PixelPhases& walks, Schedule loop, BallotReport& report,
+                    bool paint) {
+    if (paint) report.measured_map = report.computed_map = Image<float>(layer.lanes.width, layer.lanes.height, NAN);
+    for (const auto& [group, pixels] : groups_of(layer)) {
+        GroupTally measured;
+        std::vector<const Phases*> phases;
+        for (const std::size_t i : pixels) {
+            const LaneBallots& lane = layer.lanes.pixels[i];
+            measured += {std::uint64_t(lane.led_lanes[0]) + lane.led_lanes[1], std::uint64_t(lane.led[0]) + lane.led[1],
+                         lane.led[0]};
+            if (walks[i]) phases.push_back(walks[i]);
+        }
+        // Without a ray there is nothing to do; a machine that did something all the same is not passed over.
+        if (phases.empty() && measured == GroupTally{}) continue;
+        const GroupTally computed = run_phases(phases, loop);
+        add_group(layer, pixels.front(), measured, computed, report);
+        if (!paint) continue;
+        for (const std::size_t i : pixels) {
+            report.measured_map.pixels[i] = float(measured.efficiency(layer.group_size));
+            report.computed_map.pixels[i] = float(computed.efficiency(layer.group_size));
+        }
+    }
+}
 
 BallotReport check_ballots(GlTracer& tracer, const WalkRequest& request, Schedule loop, std::stop_token stop) {
     BallotReport report;
@@ -195,9 +190,8 @@ BallotReport check_ballots(GlTracer& tracer, const WalkRequest& request, Schedul
                                                          request.width, request.height);
         report.group_size = layer.group_size;
         find_tile(layer, report);
-        Comparison comparison(request, loop, round, layer, report);
-        comparison.compare_groups(&round == &rounds.all().front());
-        comparison.compare_rays(cpu, request.config);
+        compare_groups(layer, round.walks(), loop, report, &round == &rounds.all().front());
+        compare_rays(cpu, request, round, layer, report);
         if (!layer.tells_multiprocessors) continue;
         for (const LaneBallots& lane : layer.lanes.pixels) ++report.multiprocessors[lane.multiprocessor];
     }

@@ -5,8 +5,10 @@
 #include <map>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "renderer/geometry/image.h"
+#include "renderer/gl/ballots.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/measure/walk_recorder.h"
 #include "renderer/trace/lockstep.h"
@@ -18,7 +20,7 @@ struct BallotReport {
     /// The tile of pixels that every group is made of, as the shader tells; 0 where the groups are no such tiles.
     int tile_width = 0, tile_height = 0;
     std::int64_t rays = 0;
-    std::int64_t groups = 0;  // of pixels, once for each round of rays in which they have one
+    std::int64_t groups = 0;  // of pixels, once for each round in which they have a ray or the machine did something
     std::int64_t differ = 0;  // groups whose iterations or active lanes are not the computed ones
     std::int64_t unlike = 0;  // rays whose hit or counters are not the CPU's
     GroupTally measured, computed;
@@ -30,6 +32,14 @@ struct BallotReport {
 
     [[nodiscard]] bool exact() const { return differ == 0 && unlike == 0 && groups > 0; }
 };
+
+/// Of each pixel what its ray does, as Walk::phases() tells it; null where it has none.
+using PixelPhases = std::vector<const std::vector<std::uint32_t>*>;
+
+/// Adds the groups of one drawing: what was measured of each, and what its pixels' rays come to. `paint` makes the
+/// report's maps of it.
+void compare_groups(const BallotLayer& layer, const PixelPhases& walks, Schedule loop, BallotReport& report,
+                    bool paint);
 
 /// `tracer` must hold the request's scene and tree (GlTracer::upload), whose configuration must be one that
 /// has_ballot_loop(); of reflections the first bounce is walked. `loop` is not lockstep. BallotError; nothing in the

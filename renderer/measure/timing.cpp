@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/geometry/order_statistics.h"
 
@@ -55,6 +56,36 @@ bool take_turns(std::size_t count, int round, const std::function<bool(std::size
     return true;
 }
 
+namespace {
+
+/// Says before each round whether it is to be.
+class Pace {
+  public:
+    explicit Pace(const TimingPlan& plan) : plan_(plan), begin_s_(plan.clock()), now_s_(begin_s_) {}
+
+    bool goes_on(int done) {
+        const double before_s = std::exchange(now_s_, plan_.clock());
+        if (planned_ < 0 && !is_planned(done)) planned_ = done;
+        if (planned_ >= 0 && !goes_further(done - planned_)) return false;
+        return done < plan_.least_rounds || now_s_ + (now_s_ - before_s) <= plan_.ends_at_s;
+    }
+
+  private:
+    [[nodiscard]] bool is_planned(int done) const {
+        if (done >= plan_.rounds) return false;
+        return plan_.budget_s <= 0 || done < plan_.least_rounds || now_s_ - begin_s_ < plan_.budget_s;
+    }
+    [[nodiscard]] bool goes_further(int more) const {
+        return plan_.is_open && (more % plan_.further_rounds != 0 || plan_.is_open());
+    }
+
+    const TimingPlan& plan_;
+    double begin_s_, now_s_;
+    int planned_ = -1;  // rounds that the plan came to; negative while it asks for more
+};
+
+}  // namespace
+
 std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants, const TimingPlan& plan,
                                       const RoundDone& round_done) {
     std::vector<TimedRounds> timed;
@@ -62,12 +93,8 @@ std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants
         for (int i = 0; i < plan.warmup; ++i) (void)contestant.run();
         timed.push_back({contestant.name, {}});
     }
-    const auto begin = std::chrono::steady_clock::now();
-    const auto over = [&](int done) {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-        return plan.budget_s > 0 && done >= plan.least_rounds && spent.count() >= plan.budget_s;
-    };
-    for (int round = 0; round < plan.rounds && !over(round); ++round) {
+    Pace pace(plan);
+    for (int round = 0; pace.goes_on(round); ++round) {
         take_turns(contestants.size(), round, [&](std::size_t i) {
             timed[i].rounds.push_back(contestants[i].run());
             return true;
@@ -75,6 +102,10 @@ std::vector<TimedRounds> time_in_turn(const std::vector<Contestant>& contestants
         if (round_done) round_done(round + 1, timed);
     }
     return timed;
+}
+
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 double wall_ms(const std::function<void()>& work) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,11 +58,21 @@ struct TimedRounds {
 /// "; the steady clock says +0.3 %" of a clock discrepancy; nothing for 0.
 [[nodiscard]] std::string clock_check_text(double discrepancy);
 
+/// Of a clock that never goes back.
+[[nodiscard]] double steady_seconds();
+
 /// How often. With a budget the rounds end after `budget_s` seconds, but not before `least_rounds`.
 struct TimingPlan {
     int warmup = 3, rounds = 15;
     double budget_s = 0;  // 0: no limit
     int least_rounds = 6;
+    /// Asked when these are done and after every `further_rounds` more: rounds go on while what they shall decide is
+    /// open. Each look is another chance to close it by luck, so there is none after every single round.
+    std::function<bool()> is_open = {};
+    int further_rounds = 6;
+    /// By `clock`. But for `least_rounds` none begins that would end later, were it as long as the one before.
+    double ends_at_s = std::numeric_limits<double>::infinity();
+    std::function<double()> clock = steady_seconds;
 };
 
 /// As many rounds as begin within `seconds`, up to 31, but at least the six that a 95 % interval of a median takes.

@@ -2,6 +2,7 @@
 // are the same integers.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "renderer/gl/ballots.h"
@@ -17,6 +18,37 @@ using test::context_name;
 using test::ContextTest;
 
 constexpr Schedule loops[] = {Schedule::if_if, Schedule::while_while};
+
+TEST(BallotCheck, WhatAMachineDoesWithoutRaysIsADifference) {
+    // Two groups of two pixels: the first has rays of two and one steps at interior nodes, the second has none.
+    const std::vector<std::uint32_t> two{2}, one{1};
+    const PixelPhases walks{&two, &one, nullptr, nullptr};
+    BallotLayer layer;
+    layer.group_size = 2;
+    layer.lanes = Image<LaneBallots>(4, 1);
+    for (std::size_t i = 0; i < 4; ++i) layer.lanes.pixels[i].group = i < 2 ? 0 : 2;
+    layer.lanes.pixels[0].led[0] = 2;
+    layer.lanes.pixels[0].led_lanes[0] = 3;
+    const auto compared = [&] {
+        BallotReport report;
+        compare_groups(layer, walks, Schedule::if_if, report, true);
+        return report;
+    };
+    const BallotReport alike = compared();
+    EXPECT_TRUE(alike.exact()) << alike.first_difference;
+    EXPECT_EQ(alike.groups, 1) << "idle where nothing is to be done";
+    EXPECT_TRUE(std::isnan(alike.measured_map.at(2, 0)));
+    layer.lanes.pixels[3].led[1] = 1;
+    layer.lanes.pixels[3].led_lanes[1] = 1;
+    const BallotReport report = compared();
+    EXPECT_FALSE(report.exact());
+    EXPECT_EQ(report.groups, 2);
+    EXPECT_EQ(report.differ, 1);
+    EXPECT_TRUE(report.first_difference.starts_with("the group of pixel 2, 0: 1 iterations (0 at interior nodes) with "
+                                                    "1 active lanes measured, 0 (0) with 0 computed"))
+        << report.first_difference;
+    EXPECT_EQ(report.measured_map.at(2, 0), 0.5f);
+}
 
 class BallotGl : public ContextTest {
   protected:

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/paper/paper_growth.h"
 #include "renderer/measure/paper/walk_costs.h"
@@ -198,6 +199,7 @@ TEST(PaperClaims, TheShareOfTraversalIsWhatNoTestAddsTo) {
     PaperResults results = paper_results({}, 0);  // 100 ms with one test of each triangle, 140 with two
     for (const double share : results.triangle_tests[0].traversal_shares()) EXPECT_NEAR(share, 0.6, 1e-12);
     EXPECT_EQ(claim(judge_claims(results), "B1a").verdict, reproduced);
+    EXPECT_NE(claim(judge_claims(results), "B1a").reason.find("; the share is at most this"), std::string::npos);
     for (TimeSample& round : results.triangle_tests[0].twice.rounds) round.ms = 110;
     EXPECT_EQ(claim(judge_claims(results), "B1a").verdict, not_reproduced);
 }
@@ -208,6 +210,25 @@ TEST(TriangleTests, TestsMadeTwiceChangeNoHit) {
     const PaperTriangleTests tests = compare_tests(scene, tree, pinhole(scene.camera, 48, 48), 48, 48, 6, {});
     EXPECT_EQ(tests.once.rounds.size(), 6u) << "it throws where a hit differs";
     EXPECT_EQ(tests.traversal_shares().size(), 6u);
+}
+
+TEST(TriangleTests, EachIsMadeOnceOrTwice) {
+    const FlatScene scene = flatten(*make_procedural("ball:500"));
+    const KdTree tree = build_tree(scene.triangles, {});
+    const std::vector<Ray> rays = pixel_rays(pinhole(scene.camera, 48, 48), 48, 48);
+    std::vector<Hit> hits(rays.size());
+    std::vector<RayCounters> counters(rays.size());
+    CpuTracer(scene, tree).trace_rays({.traversal = Traversal::stack}, rays, false, hits, counters, 1);
+    std::size_t counted = 0;
+    for (const RayCounters& c : counters) counted += c.triangle_tests;
+
+    const std::vector<int> once = tested_triangles(scene, tree, rays, TestsMade::once),
+                           twice = tested_triangles(scene, tree, rays, TestsMade::twice);
+    EXPECT_EQ(once.size(), counted);
+    EXPECT_GT(counted, rays.size());
+    std::vector<int> doubled;
+    for (const int triangle : once) doubled.insert(doubled.end(), {triangle, triangle});
+    EXPECT_TRUE(twice == doubled) << twice.size() << " tests instead of " << doubled.size();
 }
 
 TEST(NodeSizes, SmallNodesHoldTheSameTreeAndGiveTheSameHits) {

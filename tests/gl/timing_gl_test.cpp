@@ -68,6 +68,74 @@ TEST(Timing, RoundsWithinNoTimeAtAllAreTheLeastThatSayAnything) {
     EXPECT_EQ(time_in_turn(one, rounds_within(1e6))[0].rounds.size(), 31u);
 }
 
+/// Two contestants that take a second each by a clock of their own, warmed up once, and a claim that is open until
+/// there are `closes_at` rounds of them.
+struct OpenClaim {
+    int closes_at;
+    double clock_s = 0;
+    std::string order = {};
+    std::vector<int> looks = {}, told = {};
+
+    std::vector<TimedRounds> time(TimingPlan plan) {
+        const auto run = [this](char name) {
+            order += name;
+            clock_s += 1;
+            return TimeSample{double(order.size())};  // no two are alike
+        };
+        plan.warmup = 1;
+        plan.clock = [this] { return clock_s; };
+        plan.is_open = [this] {
+            looks.push_back(told.empty() ? 0 : told.back());
+            return looks.back() < closes_at;
+        };
+        return time_in_turn({{"a", [=] { return run('a'); }}, {"b", [=] { return run('b'); }}}, plan,
+                            [&](int rounds, std::span<const TimedRounds>) { told.push_back(rounds); });
+    }
+};
+
+/// All rounds, in the order in which they were run: forward and backward by turns, none twice and none lost.
+void expect_every_round(const OpenClaim& claim, const std::vector<TimedRounds>& timed, int rounds) {
+    std::string order = "ab";
+    for (int round = 0; round < rounds; ++round) order += round % 2 == 0 ? "ab" : "ba";
+    EXPECT_EQ(claim.order, order);
+    ASSERT_EQ(timed.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        ASSERT_EQ(int(timed[i].rounds.size()), rounds);
+        for (int round = 0; round < rounds; ++round)
+            EXPECT_EQ(timed[i].rounds[std::size_t(round)].ms, 3 + 2 * round + int((i + std::size_t(round)) % 2));
+    }
+    ASSERT_EQ(int(claim.told.size()), rounds);
+    for (int round = 0; round < rounds; ++round) EXPECT_EQ(claim.told[std::size_t(round)], round + 1);
+}
+
+TEST(Timing, RoundsGoOnWhileAClaimIsOpen) {
+    OpenClaim never{.closes_at = 9}, twice{.closes_at = 19};
+    expect_every_round(never, never.time({.rounds = 9}), 9);
+    EXPECT_EQ(never.looks, (std::vector<int>{9}));
+    // Seven rounds at first: the turns of those that follow go on from there.
+    expect_every_round(twice, twice.time({.rounds = 7}), 19);
+    EXPECT_EQ(twice.looks, (std::vector<int>{7, 13, 19})) << "no look after every round";
+    // The same where a budget ends the first: round 9 begins after 16 of 17 seconds.
+    OpenClaim in_time{.closes_at = 15};
+    expect_every_round(in_time, in_time.time({.rounds = 31, .budget_s = 17}), 15);
+    EXPECT_EQ(in_time.looks, (std::vector<int>{9, 15}));
+}
+
+TEST(Timing, NoRoundBeginsThatWouldEndTooLate) {
+    // By the clock 10 seconds have passed before the warm-up, which takes 2: round n ends at 12 + 2 n.
+    const auto timed_until = [](double ends_at_s, TimingPlan plan) {
+        OpenClaim claim{.closes_at = 1000, .clock_s = 10};
+        plan.ends_at_s = ends_at_s;
+        const std::vector<TimedRounds> timed = claim.time(plan);
+        expect_every_round(claim, timed, int(timed[0].rounds.size()));
+        return claim.clock_s;
+    };
+    EXPECT_EQ(timed_until(50, {.rounds = 9}), 50) << "the last may end on time";
+    EXPECT_EQ(timed_until(49.9, {.rounds = 9}), 48) << "in the midst of those that follow";
+    EXPECT_EQ(timed_until(40, {.rounds = 31}), 40) << "and before the plan is done";
+    EXPECT_EQ(timed_until(5, {.rounds = 31}), 24) << "but the least are made in any case";
+}
+
 TEST(Timing, ClocksAreHeldAgainstEachOther) {
     TimedRounds rounds;
     EXPECT_EQ(rounds.clock_discrepancy(), 0);

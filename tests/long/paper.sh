@@ -14,8 +14,19 @@ for name in figure-9 figure-11 figure-12-14 figure-13 restart-cost divergence lo
 done
 [[ -s paper/index.html && -s paper/results.json ]] || fail "no page"
 
-rounds=$(grep -c '"ms":' paper/results.json || true)
-((rounds >= 6 * 7 * 4)) || fail "only $rounds times were taken"
+# "SCENE,METHOD ROUNDS", a line for each.
+rounds=$(awk -F'"' '/^ *"scene":/ { scene = $4; method = "" }
+    /^ *"method":/ { method = $4 }
+    /^ *"ms":/ && method { ++n[scene "," method] }
+    END { for (i in n) print i " " n[i] }' paper/results.json)
+methods=(CPURT "CPU Kd-restart" "CPU Kd-backtrack")
+grep -q "GPURT left out" told.txt || methods+=(GPURT "GPU stack")
+for scene in ball:1000 ball:4000 ball:9000 ball:81000 rooms scatter:10000 sheet:10000; do
+    for method in "${methods[@]}"; do
+        n=$(sed -n "s/^$scene,$method //p" <<<"$rounds")
+        ((${n:-0} >= 6)) || fail "${n:-0} rounds of $method on $scene"
+    done
+done
 # E1a, E1b, E2a, E3a and E3b are decided, each by its number with an interval; those of GPURT where it ran.
 claims=("E1a CPURT" "E1a CPU Kd-restart" E1b "E3a scatter" "E3a sheet" "E3b scatter" "E3b sheet")
 grep -q "GPURT left out" told.txt || claims+=("E1a GPURT" E2a)

@@ -23,15 +23,25 @@ KD_FN KdNode unpacked(const NarrowNode& n) {
     return {flag, n.split, rest, flag == KD_LEAF ? int(n.first) : rest, -1};
 }
 
-enum class Tests { once, twice };
+/// Watch of a kernel that is timed: nobody is told.
+struct NoWatch {
+    KD_FN void operator()(int) const {}
+};
 
-/// The shared text's stack traversal over nodes of either layout, with each triangle test made once or twice; counts
-/// nothing.
-template <class Node, Tests tests = Tests::once>
+/// Keeps the triangle of every test, in their order.
+struct TestWatch {
+    std::vector<int>* tested;
+    void operator()(int triangle) const { tested->push_back(triangle); }
+};
+
+/// The shared text's stack traversal over nodes of either layout, with each triangle test made once or twice. `Watch`
+/// is told of every test, where it fetches the triangle's corners.
+template <class Node, TestsMade made = TestsMade::once, class Watch = NoWatch>
 class NodeKernel {
   public:
-    NodeKernel(const FlatScene& scene, const KdTree& tree, const Node* nodes)
-        : nodes_(nodes), references_(tree.references.data()), corners_(scene.triangles.data()), bounds_(scene.bounds) {}
+    NodeKernel(const FlatScene& scene, const KdTree& tree, const Node* nodes, const Watch& watch = {})
+        : nodes_(nodes), references_(tree.references.data()), corners_(scene.triangles.data()), bounds_(scene.bounds),
+          watch_(watch) {}
 
 #define KD_STACK_SIZE max_tree_depth
 #define KD_RULES KD_RULES_ROBUST
@@ -45,7 +55,7 @@ class NodeKernel {
 #include "shaders/shared/triangle.glsl"
 #undef intersect_triangle
     KD_FN void intersect_triangle(const RaySetup& s, int slot, int triangle, Hit& best) {
-        if constexpr (tests == Tests::twice) {
+        if constexpr (made == TestsMade::twice) {
             Hit unused = best;
             int same = triangle;
             asm volatile("" : "+r"(same));  // no compiler may see that it is, nor that nobody looks at what it gives
@@ -73,6 +83,7 @@ class NodeKernel {
         upper = bounds_.upper;
     }
     KD_FN void fetch_corners(int, int triangle, int3 axes, real3& a, real3& b, real3& c) const {
+        watch_(triangle);
         const float* p = &corners_[triangle].corner[0].x;
         a = real3(p[axes.x], p[axes.y], p[axes.z]);
         b = real3(p[3 + axes.x], p[3 + axes.y], p[3 + axes.z]);
@@ -89,6 +100,7 @@ class NodeKernel {
     const std::int32_t* references_;
     const Triangle* corners_;
     Aabb bounds_;
+    [[no_unique_address]] Watch watch_;
 };
 
 /// A way to trace all rays.
@@ -97,10 +109,10 @@ struct Walk {
     std::function<void(std::span<Hit>)> trace;
 };
 
-template <Tests tests = Tests::once, class Node>
+template <TestsMade made = TestsMade::once, class Node, class Watch = NoWatch>
 void trace_all(const FlatScene& scene, const KdTree& tree, const Node* nodes, std::span<const Ray> rays,
-               std::span<Hit> hits) {
-    NodeKernel<Node, tests> kernel(scene, tree, nodes);
+               std::span<Hit> hits, const Watch& watch = {}) {
+    NodeKernel<Node, made, Watch> kernel(scene, tree, nodes, watch);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hits[i] = {-1, rays[i].t_max, 0, 0};
         kernel.traverse(rays[i], false, hits[i]);
@@ -131,6 +143,18 @@ void trace_wide(const FlatScene& scene, const KdTree& tree, std::span<const Ray>
 void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const NarrowNode> nodes,
                   std::span<const Ray> rays, std::span<Hit> hits) {
     trace_all(scene, tree, nodes.data(), rays, hits);
+}
+
+std::vector<int> tested_triangles(const FlatScene& scene, const KdTree& tree, std::span<const Ray> rays,
+                                  TestsMade made) {
+    std::vector<int> tested;
+    std::vector<Hit> hits(rays.size());
+    const TestWatch watch{&tested};
+    if (made == TestsMade::once)
+        trace_all(scene, tree, tree.nodes.data(), rays, hits, watch);
+    else
+        trace_all<TestsMade::twice>(scene, tree, tree.nodes.data(), rays, hits, watch);
+    return tested;
 }
 
 namespace {
@@ -173,7 +197,7 @@ PaperTriangleTests compare_tests(const FlatScene& scene, const KdTree& tree, con
         time_both(rays.size(), rounds, stop,
                   {Walk{"tests made once", [&](std::span<Hit> hits) { trace_wide(scene, tree, rays, hits); }},
                    Walk{"tests made twice", [&](std::span<Hit> hits) {
-                            trace_all<Tests::twice>(scene, tree, tree.nodes.data(), rays, hits);
+                            trace_all<TestsMade::twice>(scene, tree, tree.nodes.data(), rays, hits);
                         }}});
     return {"", std::move(once), std::move(twice)};
 }

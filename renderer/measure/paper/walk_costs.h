@@ -31,6 +31,13 @@ void trace_wide(const FlatScene& scene, const KdTree& tree, std::span<const Ray>
 void trace_narrow(const FlatScene& scene, const KdTree& tree, std::span<const NarrowNode> nodes,
                   std::span<const Ray> rays, std::span<Hit> hits);
 
+/// How often a walk tests a triangle that it meets.
+enum class TestsMade { once, twice };
+
+/// The triangles of all tests of the walk over nodes of 16 bytes, in their order.
+[[nodiscard]] std::vector<int> tested_triangles(const FlatScene& scene, const KdTree& tree, std::span<const Ray> rays,
+                                                TestsMade made);
+
 /// Times both in turn on the primary rays of a picture. std::logic_error where their hits differ in a bit: a fault of
 /// the program, whatever the scene.
 [[nodiscard]] PaperNodeSizes compare_nodes(const FlatScene& scene, const KdTree& tree, const PinholeCamera& camera,
