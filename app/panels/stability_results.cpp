@@ -140,7 +140,8 @@ void draw_charts(const EngineState& state, const StabilityCase& info, Edit& edit
     }
     const Chart faults = fault_chart(*found->second), ulps = ulp_chart(*found->second);
     chart::draw_legend(faults);
-    widgets::hint("Open marks: nothing was seen in n rays, so the share is below 3/n with 95 % confidence.");
+    widgets::hint("Open marks: nothing was seen in n rays, so the share is below 3/n with 95 % confidence. Ringed marks: "
+                  "some rays were given up and flagged; the share is of the others.");
     const ImVec2 space = ImGui::GetContentRegionAvail();
     const float gap = theme::px(16);
     const ImVec2 size{std::max(theme::px(120), (space.x - gap) / 2), std::max(theme::px(90), space.y)};
