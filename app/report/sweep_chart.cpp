@@ -45,10 +45,11 @@ std::vector<ChartCurve> curves_of(const SweepReport& report, const std::function
 
 /// "0 of 2000, below 0.15 %", "3 missed, 1 wrong of 2000: 0.2 %, at most 0.46 %"; what was given up comes first.
 std::string fault_text(const SweepRow& row) {
-    const std::string given_up =
-        row.given_up == 0 ? ""
-                          : fmt::format("{} of {} given up ({}), flagged; ", row.given_up, row.n,
-                                        percent_of(double(row.given_up) / double(row.n)));
+    if (row.answered() == 0) return fmt::format("all {} given up, flagged", row.n);
+    const std::string given_up = row.given_up == 0
+                                     ? ""
+                                     : fmt::format("{} of {} given up ({}), flagged; ", row.given_up, row.n,
+                                                   percent_of(double(row.given_up) / double(row.n)));
     if (row.missed + row.wrong == 0)
         return fmt::format("{}0 of {}, below {}", given_up, row.answered(), percent_of(row.upper95));
     return fmt::format("{}{} missed, {} wrong of {}: {}, at most {}", given_up, row.missed, row.wrong, row.answered(),

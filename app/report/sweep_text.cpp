@@ -13,10 +13,11 @@ namespace kd {
 
 namespace {
 
-/// "0 (< 1.5e-03)" or "0.193"; "0 (< 2.2e-02) + 64 flagged" where rays were given up.
+/// "0 (< 1.5e-03)" or "0.193"; "0 (< 2.2e-02) + 64 flagged" where rays were given up, "all 200 flagged".
 std::string share_text(const SweepRow& row) {
-    const std::string share = row.missed + row.wrong > 0 ? fmt::format("{:.3g}", row.share())
-                                                         : fmt::format("0 (< {:.1e})", row.upper95);
+    if (row.answered() == 0) return fmt::format("all {} flagged", row.n);
+    const std::string share =
+        row.missed + row.wrong > 0 ? fmt::format("{:.3g}", row.share()) : fmt::format("0 (< {:.1e})", row.upper95);
     return row.given_up > 0 ? fmt::format("{} + {} flagged", share, row.given_up) : share;
 }
 
@@ -58,16 +59,16 @@ void print(std::ostream& out, const SweepReport& report) {
                        report.id, report.title);
     print_table(out, report, share_text);
     if (std::ranges::any_of(report.rows, [](const SweepRow& row) { return row.given_up > 0; }))
-        out << "flagged: rays that were given up, at the step budget or with a full stack; the share is of the others\n";
+        out << "flagged: rays that were given up, at the step budget or with a full stack; the share is of the "
+               "others\n";
     out << "\nError of t in ulp: 99 % of the hits, and the worst\n";
     print_table(out, report, ulp_text);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
 }
 
 std::string sweep_csv(const SweepReport& report) {
-    std::string text =
-        "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,given_up,share,upper95,p99_ulp,worst_ulp,"
-        "seconds\n";
+    std::string text = "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,given_up,share,upper95,"
+                       "p99_ulp,worst_ulp,seconds\n";
     for (const SweepRow& row : report.rows) {
         const SweepMethod& m = row.method;
         text += csv_row(report.id, report.parameter, report.unit, row.value, m.tracer, m.context, m.rules, m.traversal,

@@ -69,9 +69,11 @@ TEST(SweepChart, WhatWasGivenUpIsTold) {
     SweepReport report = sample();
     report.rows[0].given_up = 500;
     report.rows[1].given_up = 70;
+    report.rows[3].given_up = 2000;
     const Chart chart = fault_chart(report);
     EXPECT_TRUE(chart.curves[0].points[0].marked);
-    EXPECT_FALSE(chart.curves[0].points[1].marked);
+    EXPECT_EQ(chart.curves[0].points[1].text, "all 2000 given up, flagged");
+    EXPECT_FALSE(chart.curves[2].points[0].marked);
     EXPECT_EQ(chart.curves[0].points[0].text, "500 of 2000 given up (25 %), flagged; 0 of 1500, below 0.15 %");
     EXPECT_DOUBLE_EQ(chart.curves[1].points[0].y, 386.0 / 1930);
     EXPECT_NE(chart.note.find("given up"), std::string::npos);
@@ -80,7 +82,8 @@ TEST(SweepChart, WhatWasGivenUpIsTold) {
     EXPECT_EQ(sweep_json(report)["rows"][1]["given_up"], 70);
     std::ostringstream out;
     print(out, report);
-    for (const char* part : {"0 (< 1.5e-03) + 500 flagged", "0.2 + 70 flagged", "flagged: rays that were given up"})
+    for (const char* part :
+         {"0 (< 1.5e-03) + 500 flagged", "0.2 + 70 flagged", "all 2000 flagged", "flagged: rays that were given up"})
         EXPECT_NE(out.str().find(part), std::string::npos) << part << "\n" << out.str();
 }
 

@@ -128,9 +128,9 @@ struct CloseProducts {
 int sign(double x) { return (x > 0) - (x < 0); }
 
 // With products so close their rounded values differ by an exact number (Sterbenz). The two errors are multiples of
-// 2^-24 ulp of the larger product and at most half an ulp each, so that their difference is a float, unless the products
-// lie on both sides of a power of two: there it is rounded, by 2^-24 of what has the sign of the rest. So the sign is
-// exact, and the value within that and its own rounding, together below an ulp.
+// 2^-24 ulp of the larger product and at most half an ulp each, so that their difference is a float, unless the
+// products lie on both sides of a power of two: there it is rounded, by 2^-24 of what has the sign of the rest. So the
+// sign is exact, and the value within that and its own rounding, together below an ulp.
 TEST(Rounding, AnEdgeFunctionWithItsLostDigitsHasTheExactSign) {
     test::Random random(4);
     int plain_errs = 0;

@@ -173,8 +173,9 @@ TEST(Sweeps, WhatAShaderGivesUpIsNotTakenForLost) {
         EXPECT_EQ(row.missed + row.wrong, 0) << row.method.name() << " at " << row.value;
         const bool on_cpu = row.method.tracer == "cpu";
         if (row.method.rules == "robust" && !on_cpu && row.value == 1e5) on_gl += row.given_up;
-        if (row.method.rules == "robust" && (on_cpu || row.value < gl_sure_steps))
+        if (row.method.rules == "robust" && (on_cpu || row.value < gl_sure_steps)) {
             EXPECT_EQ(row.given_up, 0) << row.method.name() << " at " << row.value;
+        }
         EXPECT_DOUBLE_EQ(row.upper95, std::min(1.0, 3.0 / double(row.answered())));
     }
     EXPECT_GT(on_gl, 0);
