@@ -23,6 +23,8 @@ class ProgressLine {
 
     /// From any thread; `fraction` is 0..1. At most ten times a second.
     void show(float fraction, const std::string& what);
+    /// Makes room for lines on the same terminal; shown again with the next show().
+    void wipe();
 
   private:
     std::ostream& err_;

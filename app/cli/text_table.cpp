@@ -25,7 +25,7 @@ void TextTable::add_row(std::vector<std::string> cells) {
 
 std::vector<std::size_t> TextTable::widths() const {
     std::vector<std::size_t> widths;
-    for (const Column& column : columns_) widths.push_back(letters(column.title));
+    for (const Column& column : columns_) widths.push_back(std::max(letters(column.title), column.least));
     for (const auto& row : rows_)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
     return widths;
@@ -48,13 +48,13 @@ void TextTable::print_row(std::ostream& out, const std::vector<std::string>& cel
                 out << std::string(indent, ' ') << below << '\n';
 }
 
-void TextTable::print(std::ostream& out, std::size_t width) const {
+void TextTable::print(std::ostream& out, std::size_t width, Titles shown) const {
     const std::vector<std::size_t> all = widths();
     const std::size_t whole = std::accumulate(all.begin(), all.end(), std::size_t(0)) + gap * (all.size() - 1);
     const bool dropping = whole > width;
     std::vector<std::string> titles;
     for (const Column& column : columns_) titles.push_back(dropping && column.may_drop ? "" : column.title);
-    print_row(out, titles, all, dropping, width);
+    if (shown == Titles::shown) print_row(out, titles, all, dropping, width);
     for (const auto& row : rows_) print_row(out, row, all, dropping, width);
 }
 

@@ -18,14 +18,16 @@ class TextTable {
         Align align = Align::right;
         /// Where the table is too wide, the column's cells stand below their rows, in as many lines as they need.
         bool may_drop = false;
+        std::size_t least = 0;  // letters that the column is wide whatever it holds, as where a table grows by parts
     };
+    enum class Titles { shown, hidden };
 
     explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
     /// As many cells as there are columns.
     void add_row(std::vector<std::string> cells);
     /// Within `width` letters where it can be.
-    void print(std::ostream& out, std::size_t width = usual_width) const;
+    void print(std::ostream& out, std::size_t width = usual_width, Titles shown = Titles::shown) const;
 
   private:
     [[nodiscard]] std::vector<std::size_t> widths() const;

@@ -4,17 +4,14 @@
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
-#include <set>
 
-#include "app/cli/counted.h"
 #include "app/cli/idle_options.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/text_table.h"
 #include "app/cli/typed_options.h"
 #include "app/commands/commands.h"
-#include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "app/report/stability_text.h"
 #include "app/report/sweep_text.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
@@ -31,15 +28,6 @@ struct StabilityOptions : CommonOptions {
     bool json = false, list = false;
     std::string sweep, csv;  // a case; a file
 };
-
-const char* name_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass: return "pass";
-        case Verdict::fail: return "fail";
-        case Verdict::exempt: break;
-    }
-    return "exempt";
-}
 
 /// "T14" of " t14".
 std::string canonical(const std::string& id) {
@@ -60,61 +48,6 @@ StabilityConfig config_for(const StabilityOptions& options) {
     config.cpu = machines.cpu;
     config.contexts = machines.contexts;
     return config;
-}
-
-Json json_of(const StabilityReport& report) {
-    Json cases = Json::array();
-    for (const StabilityRow& row : report.rows)
-        cases.push_back({{"case", row.id},
-                         {"tracer", row.tracer},
-                         {"context", row.context},
-                         {"traversal", row.traversal},
-                         {"n", row.n},
-                         {"mismatches", row.mismatches},
-                         {"upper95", row.upper95},
-                         {"worst_ulp", or_null(row.worst_ulp)},
-                         {"seconds", row.seconds},
-                         {"verdict", name_of(row.verdict)},
-                         {"reason", row.reason}});
-    return {{"passed", report.passed()},
-            {"cases_run", report.cases_run},
-            {"preparing_seconds", report.preparing_seconds},
-            {"cases", cases},
-            {"notes", report.notes}};
-}
-
-void print(std::ostream& out, const StabilityReport& report) {
-    using enum TextTable::Align;
-    TextTable table({{"case", left},
-                     {"tracer", left},
-                     {"context", left},
-                     {"traversal", left},
-                     {"n"},
-                     {"mismatches"},
-                     {"at most (95 %)"},
-                     {"worst ulp"},
-                     {"seconds"},
-                     {"verdict", left}});
-    for (const StabilityRow& row : report.rows)
-        table.add_row({row.id, row.tracer, row.context, row.traversal, fmt::format("{}", row.n),
-                       fmt::format("{}", row.mismatches), fmt::format("{:.1e}", row.upper95),
-                       row.worst_ulp >= 0 ? fmt::format("{:.3g}", row.worst_ulp) : "-",
-                       fmt::format("{:.2f}", row.seconds), name_of(row.verdict)});
-    table.print(out);
-    for (const std::string& note : report.notes) out << "note: " << note << '\n';
-    std::set<std::string> told;  // rows that fail for one reason are told once
-    for (const StabilityRow& row : report.rows)
-        if (row.verdict != Verdict::pass && told.insert(row.id + row.reason).second)
-            out << fmt::format("{} {} {} {} {}: {}\n", row.id, name_of(row.verdict), row.traversal, row.tracer,
-                               row.context, row.reason);
-    const auto failures = std::ranges::count(report.rows, Verdict::fail, &StabilityRow::verdict);
-    double rows = 0;
-    for (const StabilityRow& row : report.rows) rows += row.seconds;
-    out << fmt::format("{:.2f} s in the rows above; {:.2f} s before them in building trees and in the oracles (brute "
-                       "force over all triangles)\n",
-                       rows, report.preparing_seconds);
-    out << fmt::format("{}, {}, {} failed: {}\n", counted(report.cases_run, "case"), counted(report.rows.size(), "row"),
-                       failures, report.passed() ? "passed" : "failed");
 }
 
 void print_list(std::ostream& out) {
@@ -161,6 +94,27 @@ int run_sweep_command(const StabilityOptions& options, CommandContext& context) 
     return exit_ok;
 }
 
+/// The table grows as cases end, so that an interrupt loses nothing but what runs; JSON comes at the end.
+StabilityReport run_suite(const StabilityOptions& options, const CommandContext& context) {
+    StabilityReport report;
+    StabilityTable table(context.out);
+    {
+        ProgressLine progress(context);
+        const auto show = [&](float done, const std::string& what, const StabilityReport& so_far) {
+            if (!options.json && table.lacks_a_case(so_far)) {
+                progress.wipe();
+                table.print_new(so_far);
+            }
+            progress.show(done, what);
+        };
+        report = run_stability(config_for(options), show, context.stop);
+    }
+    if (!options.json) table.print_new(report);
+    if (!options.json && !report.complete) print_reasons(context.out, report);
+    check_stop(context);
+    return report;
+}
+
 int run(const CLI::App& app, const StabilityOptions& options, CommandContext& context) {
     if (!options.csv.empty() && options.sweep.empty()) throw InputError("--csv: goes with --sweep; add --sweep T14");
     if (!options.sweep.empty()) {
@@ -175,21 +129,15 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
     }
     note_idle(app, shared_uses(options, options.session_for(""), true, true), context);
     require_context(options, true);
-    StabilityReport report;
-    {
-        ProgressLine progress(context);
-        const auto show = [&](float done, const std::string& what) { progress.show(done, what); };
-        report = run_stability(config_for(options), show, context.stop);
-    }
-    check_stop(context);
+    const StabilityReport report = run_suite(options, context);
     if (report.rows.empty())
         throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
     if (options.json) {
         MeasuredOn on = measured_on(options.session.threads, options.session.seed);
         on.settings = Json{{"rules", info(report.rules).name}}.dump();
-        context.out << json_text(with_machine(json_of(report), on));
+        context.out << json_text(with_machine(stability_json(report), on));
     } else
-        print(context.out, report);
+        print_summary(context.out, report);
     return report.passed() ? exit_ok : exit_check_failed;
 }
 

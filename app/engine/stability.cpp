@@ -9,7 +9,7 @@ void StabilityBench::start(const std::string& id, bool sweeping, BackgroundRun::
     state_.sweeping = sweeping;
     state_.id = id;
     state_.fraction = 0;
-    state_.what = "starting";
+    state_.what.clear();
     state_.error.clear();
     run_.start(sweeping ? "the sweep" : "the case", std::move(job), [this](const std::string& error) {
         state_.active = false;
@@ -19,17 +19,18 @@ void StabilityBench::start(const std::string& id, bool sweeping, BackgroundRun::
 
 void StabilityBench::run_case(const StabilityConfig& config) {
     const std::string id = config.cases.front();
+    state_.verdicts.erase(id);
     start(id, false, [this, config, id](const std::stop_token& stop, const BackgroundRun::Post& post) {
-        const auto progress = [&](float fraction, const std::string& what) {
-            post([this, fraction, what] {
+        const auto progress = [&](float fraction, const std::string& what, const StabilityReport& so_far) {
+            const auto report = std::make_shared<const StabilityReport>(so_far);
+            post([this, fraction, what, id, report] {
                 state_.fraction = fraction;
                 state_.what = what;
+                if (!report->rows.empty()) state_.verdicts[id] = report;
             });
         };
         const auto report = std::make_shared<const StabilityReport>(kd::run_stability(config, progress, stop));
-        post([this, id, report] {
-            if (report->complete) state_.verdicts[id] = report;
-        });
+        post([this, id, report] { state_.verdicts[id] = report; });
     });
 }
 

@@ -17,10 +17,11 @@ struct StabilityState {
     bool active = false, sweeping = false;
     std::string id;      // of what runs
     float fraction = 0;  // 0..1
-    std::string what;
-    std::string error;  // why the last run came to nothing
+    std::string what;    // empty until it begins: what was cancelled before it may take a moment to end
+    std::string error;   // why the last run came to nothing
+    // Also while they grow; what was cancelled keeps what it had.
     std::map<std::string, std::shared_ptr<const StabilityReport>> verdicts;
-    std::map<std::string, std::shared_ptr<const SweepReport>> sweeps;  // also while they grow
+    std::map<std::string, std::shared_ptr<const SweepReport>> sweeps;
 };
 
 /// Runs the newest wish on a thread of its own. All member functions are called on the thread that owns `state`.

@@ -29,7 +29,7 @@ bool holds(std::string_view text, const std::string& words) {
 /// At the right of the last item, where the case has run: a green dot, or a cross where it failed.
 void draw_verdict_mark(const EngineState& state, std::string_view id) {
     const auto found = state.stability.verdicts.find(std::string(id));
-    if (found == state.stability.verdicts.end()) return;
+    if (found == state.stability.verdicts.end() || !found->second->complete) return;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float size = theme::px(4);
     const ImVec2 at{high.x - 2 * size, (low.y + high.y) / 2};
@@ -113,9 +113,9 @@ void draw_work(const EngineState& state, Edit& edit) {
     const std::string text = fmt::format("{} {:.0f} %", work.id, 100 * work.fraction);
     ImGui::ProgressBar(work.fraction, {bar, ImGui::GetFrameHeight()}, text.c_str());
     ImGui::SameLine();
-    if (widgets::button("cancel", "Ends the run; what was found so far stays.", true, cancel))
+    if (widgets::button("cancel", "Ends the run; rows and points that are finished stay.", true, cancel))
         edit.do_once(Action::cancel_stability);
-    widgets::note(work.what);
+    widgets::note(work.what.empty() ? "queued" : work.what);
 }
 
 /// Which of the sweep's values the picture shows; the first where it shows none.

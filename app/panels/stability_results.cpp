@@ -35,6 +35,14 @@ void right_aligned(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
+/// Its reason; a row without a tracer says what it is.
+std::string hint_of(const StabilityRow& row) {
+    if (row.tracer != "-") return row.reason;
+    constexpr const char* check = "A check beside the tracers, of as many things as 'rays' says; from fewer than 4 no "
+                                  "bound follows for others.";
+    return row.reason.empty() ? check : fmt::format("{}\n\n{}", row.reason, check);
+}
+
 void draw_verdict_row(const StabilityRow& row, int index, StabilityView& view) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -42,12 +50,12 @@ void draw_verdict_row(const StabilityRow& row, int index, StabilityView& view) {
     if (ImGui::Selectable(label.c_str(), view.row == index, ImGuiSelectableFlags_SpanAllColumns))
         view.row = view.row == index ? -1 : index;
     Places::note(fmt::format("row {}", index));
-    if (!row.reason.empty()) widgets::hint(row.reason);
+    if (const std::string text = hint_of(row); !text.empty()) widgets::hint(text);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.traversal.c_str());
     const std::string ulp = row.worst_ulp >= 0 ? number_text(row.worst_ulp) : "–";
-    for (const std::string& text : {number_text(double(row.n)), number_text(double(row.mismatches)),
-                                    fmt::format("{:.2g} %", 100 * row.upper95), ulp}) {
+    const std::string bound = row.upper95 < 1 ? fmt::format("{:.2g} %", 100 * row.upper95) : "–";
+    for (const std::string& text : {number_text(double(row.n)), number_text(double(row.mismatches)), bound, ulp}) {
         ImGui::TableNextColumn();
         right_aligned(text);
     }
@@ -102,25 +110,32 @@ void draw_reason(const StabilityReport& report, const StabilityView& view) {
     ImGui::EndChild();
 }
 
-/// Whoever changes the rules afterwards must not take these verdicts for those of the new ones.
-void draw_rules(Rules measured, Rules chosen) {
-    const std::string_view under = info(measured).name;
-    if (measured == chosen) return widgets::note(fmt::format("Under rules {}.", under));
-    widgets::note(fmt::format("Under rules {}; TRACING has {} now: press run.", under, info(chosen).name), theme::gpu);
+/// Whoever changes the rules afterwards must not take these verdicts for those of the new ones. `unfinished` says what
+/// becomes of a case that is not complete.
+void draw_rules(const StabilityReport& report, Rules chosen, const char* unfinished) {
+    const std::string under =
+        fmt::format("Under rules {}{}", info(report.rules).name, report.complete ? "" : unfinished);
+    if (report.rules == chosen) return widgets::note(under + ".");
+    widgets::note(fmt::format("{}; TRACING has {} now: press run.", under, info(chosen).name), theme::gpu);
+}
+
+/// What stands where nothing was found yet.
+std::string waiting_text(const StabilityState& work, bool sweeping, const StabilityCase& info, std::string idle) {
+    if (!work.active || work.sweeping != sweeping || work.id != info.id) return idle;
+    if (work.what.empty()) return "Queued: begins when what was cancelled has ended.";
+    return sweeping ? "The first value is being measured." : "Runs.";
 }
 
 void draw_verdicts(const EngineState& state, const StabilityCase& info, Edit& edit) {
     StabilityView& view = edit.window.stability;
     const auto found = state.stability.verdicts.find(std::string(info.id));
-    if (found == state.stability.verdicts.end()) {
-        const bool runs = state.stability.active && !state.stability.sweeping && state.stability.id == info.id;
-        widgets::note(runs ? "Runs." : "Not run yet: press run.");
-        return;
-    }
+    if (found == state.stability.verdicts.end())
+        return widgets::note(waiting_text(state.stability, false, info, "Not run yet: press run."));
     const StabilityReport& report = *found->second;
     ImGui::SameLine(0, theme::px(14));  // beside verdicts and charts: rows are few in a window 720 pixels high
     ImGui::AlignTextToFramePadding();
-    draw_rules(report.rules, edit.session.trace.rules);
+    const bool runs = state.stability.active && !state.stability.sweeping && state.stability.id == info.id;
+    draw_rules(report, edit.session.trace.rules, runs ? ", so far" : "; cancelled, what was finished stays");
     // Notes and reason stand below the table; where that leaves it too few rows, all of it scrolls.
     const float reason = float(3 + report.notes.size()) * ImGui::GetTextLineHeightWithSpacing();
     draw_verdict_table(report, std::max(theme::px(72), ImGui::GetContentRegionAvail().y - reason), view);
@@ -132,15 +147,14 @@ void draw_charts(const EngineState& state, const StabilityCase& info, Edit& edit
     const Sweep* sweep = find_sweep(info.id);
     if (!sweep) return widgets::note("This case has no parameter to drive.");
     const auto found = state.stability.sweeps.find(std::string(info.id));
-    if (found == state.stability.sweeps.end() || found->second->rows.empty()) {
-        const bool runs = state.stability.active && state.stability.sweeping && state.stability.id == info.id;
-        widgets::note(runs ? "The first value is being measured."
-                           : fmt::format("Press sweep: {}.", range_text(*sweep)));
-        return;
-    }
+    if (found == state.stability.sweeps.end() || found->second->rows.empty())
+        return widgets::note(
+            waiting_text(state.stability, true, info, fmt::format("Press sweep: {}.", range_text(*sweep))));
     const Chart faults = fault_chart(*found->second), ulps = ulp_chart(*found->second);
     chart::draw_legend(faults);
-    widgets::hint("Open marks: nothing was seen in n rays, so the share is below 3/n with 95 % confidence.");
+    widgets::hint(
+        "Open marks: nothing was seen in n rays, so the share is below 3/n with 95 % confidence. Ringed marks: "
+        "some rays were given up and flagged; the share is of the others.");
     const ImVec2 space = ImGui::GetContentRegionAvail();
     const float gap = theme::px(16);
     const ImVec2 size{std::max(theme::px(120), (space.x - gap) / 2), std::max(theme::px(90), space.y)};

@@ -43,19 +43,33 @@ std::vector<ChartCurve> curves_of(const SweepReport& report, const std::function
     return curves;
 }
 
+/// "0 of 2000, below 0.15 %", "3 missed, 1 wrong of 2000: 0.2 %, at most 0.46 %"; what was given up comes first.
+std::string fault_text(const SweepRow& row) {
+    if (row.answered() == 0) return fmt::format("all {} given up, flagged", row.n);
+    const std::string given_up = row.given_up == 0
+                                     ? ""
+                                     : fmt::format("{} of {} given up ({}), flagged; ", row.given_up, row.n,
+                                                   percent_of(double(row.given_up) / double(row.n)));
+    if (row.missed + row.wrong == 0)
+        return fmt::format("{}0 of {}, below {}", given_up, row.answered(), percent_of(row.upper95));
+    return fmt::format("{}{} missed, {} wrong of {}: {}, at most {}", given_up, row.missed, row.wrong, row.answered(),
+                       percent_of(row.share()), percent_of(row.upper95));
+}
+
 }  // namespace
 
 Chart fault_chart(const SweepReport& report) {
     Chart chart{"Rays lost or wrong", parameter_axis(report), {"share of rays", true, 1e-4, 1, {}}, {}};
     chart.curves = curves_of(report, [](const SweepRow& row) {
-        const std::int64_t faults = row.missed + row.wrong;
-        if (faults == 0)
-            return ChartPoint{row.value, row.upper95, true,
-                              fmt::format("0 of {}, below {}", row.n, percent_of(row.upper95))};
-        return ChartPoint{row.value, row.share(), false,
-                          fmt::format("{} missed, {} wrong of {}: {}, at most {}", row.missed, row.wrong, row.n,
-                                      percent_of(row.share()), percent_of(row.upper95))};
+        ChartPoint point{row.value, row.share()};
+        point.bound = row.missed + row.wrong == 0;
+        point.text = fault_text(row);
+        point.marked = row.given_up > 0;
+        if (point.bound) point.y = row.upper95;
+        return point;
     });
+    if (std::ranges::any_of(report.rows, [](const SweepRow& row) { return row.given_up > 0; }))
+        chart.note = "ringed: some rays were given up and flagged; they are not among the others";
     fit_decades(chart.y, heights_of(chart.curves));
     chart.y.high = 1;
     set_ticks(chart.y, percent_of);

@@ -6,7 +6,8 @@
 
 namespace kd {
 
-/// Share of rays that miss or are wrong; the 95 % bound, 3/n, where there are none.
+/// Share of rays that miss or are wrong, among those with an answer; the 95 % bound, 3/n, where there are none. Ringed
+/// where others were given up.
 [[nodiscard]] Chart fault_chart(const SweepReport& report);
 
 /// Worst error of t in ulp; at the lower end, open, where there is none.

@@ -1,5 +1,6 @@
 #include "app/report/sweep_text.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <optional>
@@ -12,10 +13,12 @@ namespace kd {
 
 namespace {
 
-/// "0 (3/n: 1.5e-03)" or "0.193".
+/// "0 (< 1.5e-03)" or "0.193"; "0 (< 2.2e-02) + 64 flagged" where rays were given up, "all 200 flagged".
 std::string share_text(const SweepRow& row) {
-    if (row.missed + row.wrong > 0) return fmt::format("{:.3g}", row.share());
-    return fmt::format("0 (< {:.1e})", row.upper95);
+    if (row.answered() == 0) return fmt::format("all {} flagged", row.n);
+    const std::string share =
+        row.missed + row.wrong > 0 ? fmt::format("{:.3g}", row.share()) : fmt::format("0 (< {:.1e})", row.upper95);
+    return row.given_up > 0 ? fmt::format("{} + {} flagged", share, row.given_up) : share;
 }
 
 std::string ulp_text(const SweepRow& row) {
@@ -55,19 +58,21 @@ void print(std::ostream& out, const SweepReport& report) {
     out << fmt::format("{} {}\n\nShare of the rays that miss or hit the wrong triangle (below 3/n where none does)\n",
                        report.id, report.title);
     print_table(out, report, share_text);
+    if (std::ranges::any_of(report.rows, [](const SweepRow& row) { return row.given_up > 0; }))
+        out << "flagged: rays that were given up, at the step budget or with a full stack; the share is of the "
+               "others\n";
     out << "\nError of t in ulp: 99 % of the hits, and the worst\n";
     print_table(out, report, ulp_text);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
 }
 
 std::string sweep_csv(const SweepReport& report) {
-    std::string text =
-        "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,share,upper95,p99_ulp,worst_ulp,"
-        "seconds\n";
+    std::string text = "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,given_up,share,upper95,"
+                       "p99_ulp,worst_ulp,seconds\n";
     for (const SweepRow& row : report.rows) {
         const SweepMethod& m = row.method;
         text += csv_row(report.id, report.parameter, report.unit, row.value, m.tracer, m.context, m.rules, m.traversal,
-                        row.n, row.missed, row.wrong, row.share(), row.upper95, known(row.p99_ulp),
+                        row.n, row.missed, row.wrong, row.given_up, row.share(), row.upper95, known(row.p99_ulp),
                         known(row.worst_ulp), row.seconds);
     }
     return text;
@@ -85,6 +90,7 @@ Json sweep_json(const SweepReport& report) {
                         {"n", row.n},
                         {"missed", row.missed},
                         {"wrong", row.wrong},
+                        {"given_up", row.given_up},
                         {"share", row.share()},
                         {"upper95", row.upper95},
                         {"p99_ulp", or_null(row.p99_ulp)},

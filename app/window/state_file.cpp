@@ -77,7 +77,7 @@ Json json_of(const StabilityState& state, const StabilityView& view) {
               {"active", state.active}, {"fraction", json_number(state.fraction)},
               {"what", state.what},     {"error", state.error}};
     if (const auto found = state.verdicts.find(view.id); found != state.verdicts.end()) {
-        json["passed"] = found->second->passed();
+        if (found->second->complete) json["passed"] = found->second->passed();
         for (const StabilityRow& row : found->second->rows)
             json["rows"].push_back(
                 {{"tracer", row.tracer}, {"traversal", row.traversal}, {"n", row.n}, {"mismatches", row.mismatches}});

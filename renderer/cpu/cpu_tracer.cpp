@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <hwy/highway.h>
+#include <string_view>
 
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/threads.h"
@@ -21,7 +22,10 @@ constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
 std::string cpu_target_name() {
     // The best of the instruction sets that tile_kernel.cpp was compiled for and this processor has.
     const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_SSSE3 | HWY_AVX3_DL);
-    return hwy::TargetName(usable & -usable);
+    std::string name = hwy::TargetName(usable & -usable);
+    constexpr std::string_view ours = "AVX3";  // Highway's word for AVX-512
+    if (name.starts_with(ours)) name.replace(0, ours.size(), "AVX-512");
+    return name;
 }
 
 CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>(scene, tree)) {}

@@ -54,7 +54,7 @@ class CpuTracer {
 /// The same, known before.
 [[nodiscard]] std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs);
 
-/// Instruction set that the hot code runs with, chosen when first used ("AVX3", "AVX2", "SSE4", ...).
+/// Instruction set that the hot code runs with, chosen when first used ("AVX-512", "AVX2", "SSE4", ...).
 [[nodiscard]] std::string cpu_target_name();
 
 }  // namespace kd

@@ -9,7 +9,7 @@ namespace kd {
 
 struct MeasuredOn {
     std::string date;               // "2026-11-22 09:35 UTC"
-    std::string cpu, instructions;  // "Intel(R) Xeon(R) ...", "AVX3"
+    std::string cpu, instructions;  // "Intel(R) Xeon(R) ...", "AVX-512"
     int threads = 0;                // of the CPU tracers
     double load = -1;               // of the machine when it began: processes that wanted to run; -1 = not known
     std::string renderer, driver;   // GL_RENDERER and GL_VERSION; empty without OpenGL

@@ -46,6 +46,26 @@ TEST(EngineStability, ACaseTellsHowFarItIs) {
     EXPECT_LE(engine.state().stability.fraction, 1);
 }
 
+TEST(EngineStability, ACancelledCaseKeepsTheRowsThatItHas) {
+    Engine engine(tiny_session(), quiet());
+    engine.run_case("T38", true);
+    EXPECT_EQ(engine.state().stability.what, "") << "queued";
+    const auto& verdicts = engine.state().stability.verdicts;
+    const auto grown = [&](const EngineState&) { return verdicts.contains("T38"); };
+    ASSERT_TRUE(wait_until(engine, grown, 10 * test::patience()));
+    EXPECT_FALSE(verdicts.at("T38")->complete);
+    EXPECT_NE(engine.state().stability.what, "");
+    engine.cancel_stability();
+    EXPECT_FALSE(engine.state().stability.active);
+    const std::size_t rows = verdicts.at("T38")->rows.size();
+    EXPECT_GT(rows, 0u);
+    engine.run_case("T02", true);
+    ASSERT_TRUE(rests(engine));
+    EXPECT_TRUE(verdicts.at("T02")->passed());
+    EXPECT_EQ(verdicts.at("T38")->rows.size(), rows);
+    EXPECT_FALSE(verdicts.at("T38")->passed());
+}
+
 TEST(EngineStability, ASweepGrowsAndACancelKeepsWhatItHas) {
     Engine engine(tiny_session(), quiet());
     engine.run_sweep("T14");

@@ -1,7 +1,9 @@
 // The stability suite on the command line: what was measured, its sweeps, and its scenes by name.
 
+#include <chrono>
 #include <fmt/format.h>
 #include <iterator>
+#include <thread>
 
 #include "app/report/json_values.h"
 #include "app/scenes.h"
@@ -44,6 +46,25 @@ TEST(Stability, TheWorstErrorOfTIsToldWhereverSomethingIsHit) {
     const auto [large_cell, large] = worst_ulp_of("T27");
     EXPECT_GT(large, 1e4);
     EXPECT_NE(large_cell.find("e+"), std::string::npos) << large_cell;
+}
+
+TEST(Stability, AChecksRowSaysWhatItIsAndHasNoBound) {
+    const std::string out = run_kdscope({"stability", "--case", "T01", "--tracer", "cpu", "--traversal", "stack"}).out;
+    EXPECT_EQ(out.find("1.0e+00"), std::string::npos) << out;
+    EXPECT_NE(out.find("\ntracer -: a check beside the tracers"), std::string::npos) << out;
+}
+
+TEST(Stability, RowsOfCasesThatEndedAreThereAfterAnInterrupt) {
+    std::stop_source stop;
+    std::jthread after_the_first([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        stop.request_stop();
+    });
+    const test::Outcome outcome = run_kdscope(
+        {"stability", "--case", "T02,T24", "--long", "--tracer", "cpu", "--traversal", "stack"}, stop.get_token());
+    EXPECT_EQ(outcome.code, exit_interrupted);
+    EXPECT_TRUE(outcome.out.starts_with("case  tracer")) << outcome.out;
+    EXPECT_NE(outcome.out.find("\nT02   cpu "), std::string::npos) << outcome.out;
 }
 
 TEST(StressScenes, AreScenesWhereverOneIsTaken) {

@@ -11,7 +11,7 @@ namespace {
 
 SweepRow row(double value, SweepMethod method, std::int64_t n, std::int64_t missed, std::int64_t wrong, double upper95,
              double worst, double p99) {
-    return {value, std::move(method), n, missed, wrong, upper95, worst, p99, 0.5};
+    return {value, std::move(method), n, missed, wrong, 0, upper95, worst, p99, 0.5};
 }
 
 /// Two values, three methods.
@@ -64,6 +64,29 @@ TEST(SweepChart, FaultsAreSharesAndWhereNoneWasSeenTheBound) {
     EXPECT_DOUBLE_EQ(chart.y.high, 1);
 }
 
+/// Rays that a driver ended have no answer: they are told apart, and the share is of the others.
+TEST(SweepChart, WhatWasGivenUpIsTold) {
+    SweepReport report = sample();
+    report.rows[0].given_up = 500;
+    report.rows[1].given_up = 70;
+    report.rows[3].given_up = 2000;
+    const Chart chart = fault_chart(report);
+    EXPECT_TRUE(chart.curves[0].points[0].marked);
+    EXPECT_EQ(chart.curves[0].points[1].text, "all 2000 given up, flagged");
+    EXPECT_FALSE(chart.curves[2].points[0].marked);
+    EXPECT_EQ(chart.curves[0].points[0].text, "500 of 2000 given up (25 %), flagged; 0 of 1500, below 0.15 %");
+    EXPECT_DOUBLE_EQ(chart.curves[1].points[0].y, 386.0 / 1930);
+    EXPECT_NE(chart.note.find("given up"), std::string::npos);
+    EXPECT_EQ(fault_chart(sample()).note, "");
+    EXPECT_NE(sweep_csv(report).find(",stack,2000,0,0,500,0,"), std::string::npos);
+    EXPECT_EQ(sweep_json(report)["rows"][1]["given_up"], 70);
+    std::ostringstream out;
+    print(out, report);
+    for (const char* part :
+         {"0 (< 1.5e-03) + 500 flagged", "0.2 + 70 flagged", "all 2000 flagged", "flagged: rays that were given up"})
+        EXPECT_NE(out.str().find(part), std::string::npos) << part << "\n" << out.str();
+}
+
 TEST(SweepChart, ErrorsLeaveOutWhatNeverHitAndKeepZeroAtTheFoot) {
     const Chart chart = ulp_chart(sample());
     EXPECT_DOUBLE_EQ(chart.y.low, 1e-9);
@@ -103,11 +126,11 @@ TEST(SweepText, CsvHasARowPerValueAndMethodAndNothingForNoHit) {
     std::vector<std::string> all;
     for (std::string line; std::getline(lines, line);) all.push_back(line);
     ASSERT_EQ(all.size(), 7u);
-    EXPECT_EQ(all[0], "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,share,upper95,p99_ulp,"
-                      "worst_ulp,seconds");
-    EXPECT_EQ(all[1], "T25,width of the triangles,lengths,1e-08,cpu,-,robust,stack,2000,0,0,0,0.0015,8,120,0.5");
+    EXPECT_EQ(all[0], "case,parameter,unit,value,tracer,context,rules,traversal,n,missed,wrong,given_up,share,upper95,"
+                      "p99_ulp,worst_ulp,seconds");
+    EXPECT_EQ(all[1], "T25,width of the triangles,lengths,1e-08,cpu,-,robust,stack,2000,0,0,0,0,0.0015,8,120,0.5");
     EXPECT_EQ(all[2],
-              "T25,width of the triangles,lengths,1e-08,gl-fragment,egl,as-published,restart,2000,300,86,0.193,0.208,"
+              "T25,width of the triangles,lengths,1e-08,gl-fragment,egl,as-published,restart,2000,300,86,0,0.193,0.208,"
               ",,0.5");
 }
 

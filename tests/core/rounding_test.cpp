@@ -1,14 +1,29 @@
-// shaders/shared/rounding.glsl on a machine whose own quotients and roots are off by a few units in the last place.
+// shaders/shared/rounding.glsl on a machine whose own quotients and roots are off by a few units in the last place, and
+// the digits that triangle.glsl restores with it.
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "tests/support/scenes.h"
 
 namespace kd {
 namespace {
+
+/// The triangle test's own text in single precision, of a scene that is not asked for.
+struct TriangleText {
+    void fetch_bounds(real3&, real3&) const {}
+    void fetch_corners(int, int, int3, real3&, real3&, real3&) const {}
+#define KD_RULES KD_RULES_ROBUST
+#include "shaders/shared/vector.glsl"
+// After what it uses.
+#include "shaders/shared/ray.glsl"
+// After what it uses.
+#include "shaders/shared/triangle.glsl"
+#undef KD_RULES
+};
 
 int off_by = 0;  // units in the last place
 
@@ -82,6 +97,57 @@ TEST(Rounding, WhereNothingCanBeCorrectedTheMachinesAnswerStays) {
             EXPECT_TRUE(found == expected || (std::isnan(found) && std::isnan(expected))) << a << " / " << b;
         }
     EXPECT_EQ(rough::square_root(Rough(0)).value, 0.0f);
+}
+
+// A float's product has at most 48 bits, so that double holds it.
+TEST(Rounding, WhatAProductLosesIsExact) {
+    test::Random random(3);
+    for (int i = 0; i < 1'000'000; ++i) {
+        const float a = number(random, 30), b = number(random, 30);
+        const double product = double(a) * double(b);
+        ASSERT_EQ(double(TriangleText().product_error(a, b)), product - double(float(product)))
+            << std::hexfloat << a << " * " << b;
+    }
+}
+
+/// p*q and r*s so close that few digits of their difference are left, if any.
+struct CloseProducts {
+    float p, q, r, s;
+
+    explicit CloseProducts(test::Random& random) : p(number(random, 20)), q(number(random, 20)), r(number(random, 20)) {
+        s = p * q / r;
+        const int steps = random.below(7) - 3;
+        for (int i = 0; i < std::abs(steps); ++i) s = std::nextafter(s, steps < 0 ? 0.0f : 2 * s);
+    }
+    /// Two numbers of at most 48 bits within a factor of two of each other: their difference is a double too.
+    [[nodiscard]] double exact() const { return double(p) * double(q) - double(r) * double(s); }
+    [[nodiscard]] float plain() const { return p * q - r * s; }
+    [[nodiscard]] float restored() const { return TriangleText().with_lost_digits(plain(), p, q, r, s); }
+};
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+// With products so close their rounded values differ by an exact number (Sterbenz). The two errors are multiples of
+// 2^-24 ulp of the larger product and at most half an ulp each, so that their difference is a float, unless the
+// products lie on both sides of a power of two: there it is rounded, by 2^-24 of what has the sign of the rest. So the
+// sign is exact, and the value within that and its own rounding, together below an ulp.
+TEST(Rounding, AnEdgeFunctionWithItsLostDigitsHasTheExactSign) {
+    test::Random random(4);
+    int plain_errs = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const CloseProducts c(random);
+        const double exact = c.exact();
+        const float restored = c.restored();
+        plain_errs += sign(double(c.plain())) != sign(exact);
+        const auto what = [&] {
+            return testing::Message() << std::hexfloat << c.p << " * " << c.q << " - " << c.r << " * " << c.s;
+        };
+        ASSERT_EQ(sign(double(restored)), sign(exact)) << what();
+        const float size = std::abs(float(exact));
+        const double ulp = double(std::nextafter(size, std::numeric_limits<float>::infinity())) - double(size);
+        ASSERT_LE(std::abs(double(restored) - exact), ulp) << what();
+    }
+    EXPECT_GT(plain_errs, 100'000) << "the plain expression is wrong often enough for this to be a test";
 }
 
 }  // namespace

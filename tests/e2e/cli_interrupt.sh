@@ -34,4 +34,5 @@ interrupt() {
 interrupt render scatter:300000 -o picture.png --size 2048x2048 --json picture.json
 interrupt verify scatter:200000 --tracer cpu
 interrupt bench scatter:5000 --tracer cpu --size 2048x2048 --rounds 1000
+interrupt stability --case T02,T24 --long --tracer cpu
 echo "passed"

@@ -3,6 +3,7 @@
 #include "renderer/measure/stability/stability.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -86,7 +87,7 @@ TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
     config.cases = {"T14", "T999"};
     bool started = false;
     try {
-        (void)run_stability(config, [&](float, const std::string&) { started = true; });
+        (void)run_stability(config, [&](float, const std::string&, const StabilityReport&) { started = true; });
         FAIL() << "accepted";
     } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()),
@@ -100,7 +101,7 @@ TEST(Stability, ProgressMovesWithinACaseAndNeverBack) {
     config.cases = {"T02", "T16"};
     std::map<std::string, std::vector<float>> fractions;  // by case
     float before = 0;
-    (void)run_stability(config, [&](float done, const std::string& what) {
+    (void)run_stability(config, [&](float done, const std::string& what, const StabilityReport&) {
         EXPECT_GE(done, before) << what;
         EXPECT_LE(done, 1) << what;
         before = done;
@@ -121,6 +122,29 @@ TEST(Stability, StopsWhenAsked) {
     const StabilityReport report = run_stability({}, {}, stop.get_token());
     EXPECT_FALSE(report.complete);
     EXPECT_FALSE(report.passed());
+}
+
+TEST(Stability, RowsAreToldAsTheyEndAndAStopKeepsThem) {
+    StabilityConfig config;
+    config.cases = {"T02", "T16"};
+    config.traversals = {"stack", "restart"};
+    std::stop_source stop;
+    std::vector<std::string> seen;  // rows whenever something is told
+    const auto look = [&](float, const std::string& what, const StabilityReport& so_far) {
+        EXPECT_FALSE(so_far.complete);
+        seen.push_back(what.substr(0, 3) + fmt::format(" {} cases", so_far.cases_run));
+        for (const StabilityRow& row : so_far.rows) seen.back() += " " + row.id + row.traversal;
+        if (so_far.rows.size() == 4) stop.request_stop();
+    };
+    const StabilityReport report = run_stability(config, look, stop.get_token());
+    EXPECT_EQ(seen[0], "T02 0 cases");
+    EXPECT_NE(std::ranges::find(seen, "T16 1 cases T02stack T02restart T02u, v, t, point"), seen.end());
+    EXPECT_FALSE(report.complete);
+    EXPECT_EQ(report.cases_run, 1);
+    ASSERT_EQ(report.rows.size(), 4u) << "and the walk that was stopped has none";
+    EXPECT_EQ(report.rows[3].id, "T16");
+    EXPECT_EQ(report.rows[3].n, 100'000);
+    EXPECT_EQ(report.rows[3].verdict, Verdict::pass);
 }
 
 TEST(StabilityReport, PassesOnlyWhereSomethingRanAndNothingFailed) {

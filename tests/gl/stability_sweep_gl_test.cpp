@@ -6,6 +6,7 @@
 #include <set>
 
 #include "renderer/gl/context.h"
+#include "renderer/gl/gl_limits.h"
 #include "renderer/measure/oracle.h"
 #include "renderer/measure/path_rays.h"
 #include "renderer/measure/ray_machine.h"
@@ -158,6 +159,26 @@ TEST(Sweeps, OpenGlGivesTheCpusCurves) {
         };
         EXPECT_EQ(of("gl-fragment"), of("cpu")) << id;
     }
+}
+
+/// 1e5 copies in one leaf are more than a shader has steps: what it ends is flagged, and no answer is wrong.
+TEST(Sweeps, WhatAShaderGivesUpIsNotTakenForLost) {
+    SweepConfig config;
+    config.id = "T04";
+    config.contexts = {ContextKind::osmesa};
+    const SweepReport report = run_sweep(config);
+    if (!report.notes.empty()) GTEST_SKIP() << "NO CONTEXT: " << report.notes[0];
+    std::int64_t on_gl = 0;
+    for (const SweepRow& row : report.rows) {
+        EXPECT_EQ(row.missed + row.wrong, 0) << row.method.name() << " at " << row.value;
+        const bool on_cpu = row.method.tracer == "cpu";
+        if (row.method.rules == "robust" && !on_cpu && row.value == 1e5) on_gl += row.given_up;
+        if (row.method.rules == "robust" && (on_cpu || row.value < gl_sure_steps)) {
+            EXPECT_EQ(row.given_up, 0) << row.method.name() << " at " << row.value;
+        }
+        EXPECT_DOUBLE_EQ(row.upper95, std::min(1.0, 3.0 / double(row.answered())));
+    }
+    EXPECT_GT(on_gl, 0);
 }
 
 TEST(Sweeps, StopBetweenValuesAndKeepWhatTheyHave) {

@@ -75,9 +75,20 @@ std::vector<const TraversalInfo*> CaseRun::wanted_traversals(const RayMachine& m
     return found;
 }
 
+/// What was traced in part says nothing: where stopped, the row stays as it was.
+void CaseRun::use_whole(RayMachine& machine, const TraceConfig& trace, StabilityRow& r, const Use& use) const {
+    const StabilityRow before = r;
+    try {
+        r.seconds += 1e-3 * wall_ms([&] { use(machine, trace, r); });
+        check_stop();
+    } catch (const Stopped&) {
+        r = before;
+        throw;
+    }
+}
+
 /// How many parts a case has shows only when it ends, so each takes half of what is left, in equal steps.
-void CaseRun::each(const Subject& subject,
-                   const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use, Refusal refusal) {
+void CaseRun::each(const Subject& subject, const Use& use, Refusal refusal) {
     std::size_t parts = 0;
     for (const auto& machine : machines_) parts += wanted_traversals(*machine).size();
     const float step = 0.5f * (1 - done_) / float(std::max<std::size_t>(parts, 1));
@@ -97,7 +108,7 @@ void CaseRun::each(const Subject& subject,
             trace.traversal = traversal->id;
             trace.rules = config_.rules;
             StabilityRow& r = row(machine->tracer(), machine->context(), traversal->name);
-            r.seconds += 1e-3 * wall_ms([&] { use(*machine, trace, r); });
+            use_whole(*machine, trace, r, use);
             done_ += step;
         }
     }
@@ -231,16 +242,18 @@ void CaseRun::fail(StabilityRow& r, const std::string& reason) {
     if (r.mismatches++ == 0) r.reason = reason;
 }
 
-std::vector<StabilityRow> CaseRun::finish() {
-    std::vector<StabilityRow> finished;
+std::vector<StabilityRow> CaseRun::rows() const {
+    std::vector<StabilityRow> judged;
     for (const auto& r : rows_) {
         if (r->n == 0 && r->mismatches == 0) continue;  // not used by this case
-        r->upper95 = upper_bound_95(r->mismatches, r->n);
-        r->verdict = r->mismatches == 0 ? Verdict::pass : r->mismatches > r->given_up ? Verdict::fail : Verdict::exempt;
-        if (r->verdict == Verdict::exempt) r->reason = fmt::format("{}; {}", info_.exempt, r->reason);
-        finished.push_back(*r);
+        StabilityRow& row = judged.emplace_back(*r);
+        row.upper95 = upper_bound_95(row.mismatches, row.n);
+        row.verdict = row.mismatches == 0             ? Verdict::pass
+                      : row.mismatches > row.given_up ? Verdict::fail
+                                                      : Verdict::exempt;
+        if (row.verdict == Verdict::exempt) row.reason = fmt::format("{}; {}", info_.exempt, row.reason);
     }
-    return finished;
+    return judged;
 }
 
 }  // namespace kd

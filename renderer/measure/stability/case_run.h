@@ -72,8 +72,8 @@ class CaseRun {
     /// does not cover.
     /// A machine that the subject does not fit on is passed over and told in a row of its own if it `may_refuse`.
     enum class Refusal { is_an_error, may_refuse };
-    void each(const Subject& subject, const std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>& use,
-              Refusal refusal = Refusal::is_an_error);
+    using Use = std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>;
+    void each(const Subject& subject, const Use& use, Refusal refusal = Refusal::is_an_error);
 
     /// Judges the nearest hit of one of the rays, by its place among them; fail() tells the row what is wrong.
     using JudgeAnswer = std::function<void(std::size_t ray, const Hit& hit, StabilityRow& row)>;
@@ -93,13 +93,14 @@ class CaseRun {
     /// Adds one failure to a row, with the text of the first.
     static void fail(StabilityRow& row, const std::string& reason);
 
-    /// The rows, with bounds and verdicts.
-    [[nodiscard]] std::vector<StabilityRow> finish();
+    /// The rows so far, with bounds and verdicts.
+    [[nodiscard]] std::vector<StabilityRow> rows() const;
 
     /// The row of these names; of a walk that each() does not call back with.
     StabilityRow& row(std::string_view tracer, std::string_view context, std::string_view traversal);
 
   private:
+    void use_whole(RayMachine& machine, const TraceConfig& trace, StabilityRow& r, const Use& use) const;
     /// The traversals that each() walks by.
     [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals(const RayMachine& machine) const;
     /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.

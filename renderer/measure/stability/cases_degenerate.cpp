@@ -106,17 +106,15 @@ void run_without_area(CaseRun& run) {
     for (std::size_t i = 0; i < run.rays(full); ++i) {
         const Vec3 target = i % 2 ? Vec3(float(run.random().between(0, 2))) : Vec3(3, 1, 1);
         const Vec3 aside = Vec3(2, -1, 3) + random_point(run.random(), -1, 1);  // the good triangle is not in the way
-        rays.push_back(ray_to(target + aside, target - aside * 0.01f));
+        Ray ray = ray_to(target + aside, target - aside * 0.01f);
+        ray.t_max = 1;
+        // Near the common corner of all, the good triangle is the one to hit.
+        if (std::abs(ray.origin.z + ray.direction.z) >= 0.1f) rays.push_back(ray);
     }
-    for (Ray& ray : rays) ray.t_max = 1;
-    std::vector<Hit> misses(rays.size());
-    for (Hit& hit : misses) hit = {-1, 1, 0, 0};
+    const std::vector<Hit> misses(rays.size(), Hit{-1, 1, 0, 0});
     Expectation e;
     e.known = &misses;
     e.what = "at what was dropped: ";
-    // Near the common corner of all, the good triangle is the one to hit.
-    std::erase_if(rays, [&](const Ray& ray) { return std::abs(ray.origin.z + ray.direction.z) < 0.1f; });
-    misses.resize(rays.size());
     run.check(subject, rays, e);
     for (Ray& ray : rays) ray = ray_to(random_point(run.random(), -2, 2), Vec3(0.25f, 0.25f, 0));
     run.check(subject, rays);

@@ -10,6 +10,7 @@
 #include "renderer/kdtree/validate.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
+#include "renderer/measure/stability/grouped_text.h"
 #include "renderer/measure/timing.h"
 #include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/counters.h"
@@ -82,7 +83,7 @@ void run_chain(CaseRun& run, int depth, std::size_t count) {
     });
 }
 
-constexpr int naive_counts[] = {60'000, 60'001, 65'534, 65'536, 100'000};
+constexpr int naive_counts[] = {gl_step_budget, gl_step_budget + 1, 65'534, 65'536, 100'000};
 
 /// The naive traversal of `count` triangles on each machine: as on the CPU, or refused with a reason.
 void run_naive(CaseRun& run, int count) {
@@ -194,12 +195,12 @@ StabilityCase case_T49() {
 }
 
 StabilityCase case_T50() {
-    return {"T50",
-            "Loop budget",
-            "Every triangle tested, no tree: 60,000, 60,001, 65,534, 65,536 and 100,000 triangles",
-            "brute force on the CPU",
-            "the same hits, or refused with the numbers above 60,000 on OpenGL",
-            [](CaseRun& run) {
+    static const std::string construction =
+        fmt::format("Every triangle tested, no tree: {}, {}, 65,534, 65,536 and 100,000 triangles",
+                    grouped_text(gl_step_budget), grouped_text(gl_step_budget + 1));
+    static const std::string acceptance =
+        fmt::format("the same hits, or refused with the numbers above {} on OpenGL", grouped_text(gl_step_budget));
+    return {"T50", "Loop budget", construction, "brute force on the CPU", acceptance, [](CaseRun& run) {
                 for (const int count : naive_counts) run_naive(run, count);
                 const std::string refused = refusal([] {
                     TraceConfig naive;
@@ -211,13 +212,14 @@ StabilityCase case_T50() {
 }
 
 StabilityCase case_T51() {
-    return {"T51",
-            "Rays that are stopped",
-            "Diagonal rays through corners of a voxel city with a budget of 64 steps; those flagged are traced again, "
-            "on the CPU with the whole budget",
-            "brute force",
-            "some are flagged, as many are told; none is silently wrong, and with those traced again all are right",
-            run_stuck};
+    return {
+        "T51",
+        "Rays that are stopped",
+        "Diagonal rays through corners of a voxel city with a budget of 64 steps; those flagged are traced again by "
+        "the case itself, on the CPU with the whole budget (frames leave such rays as they are, flagged)",
+        "brute force",
+        "some are flagged, as many are told; none is silently wrong, and with those traced again all are right",
+        run_stuck};
 }
 
 }  // namespace kd

@@ -33,7 +33,7 @@ void run_lengths(CaseRun& run) {
         const std::vector<Ray> rays = times_as_long(unit, length);
         Expectation e;
         e.every_ray_hits = true;
-        e.against_double = HitJudge{8, 8, 1e-5};
+        e.against_double = plain_view_judge;
         e.what = fmt::format("length {}: ", length);
         run.check(ball, rays, e);
     }

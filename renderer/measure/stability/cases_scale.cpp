@@ -68,7 +68,7 @@ void run_powers_of_ten(CaseRun& run) {
         const Subject large = run.subject(scaled(ball.triangles, factor));
         Expectation e;
         e.every_ray_hits = true;
-        e.against_double = HitJudge{8, 8, 1e-5};
+        e.against_double = plain_view_judge;
         e.what = fmt::format("scale {}: ", factor);
         run.check(large, scaled_rays(ball.rays, factor, large.scene), e);
     }
@@ -125,7 +125,9 @@ void run_huge(CaseRun& run) {
     run.record("tree", 1, all_finite(subject.tree) ? 0 : 1);
     Expectation e;
     e.every_ray_hits = true;
-    e.against_double = HitJudge{};
+    // Walls are met at tangents up to 2, so that what shear and differences err by counts thrice: 15u, up to 15 ulp.
+    // The worst of a million rays is 6.2 ulp.
+    e.against_double = HitJudge{.most_ulps = 16, .tie_ulps = 16};
     run.check(subject, rays_at_walls(run.random(), subject.scene, run.rays(full)), e);
 }
 
@@ -147,7 +149,7 @@ void run_tiny(CaseRun& run) {
         }
         Expectation e;
         e.every_ray_hits = dropped == 0;
-        e.against_double = HitJudge{};
+        e.against_double = plain_view_judge;
         e.what = fmt::format("size {}: ", size);
         run.check(subject, rays, e);
     }

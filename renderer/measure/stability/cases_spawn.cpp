@@ -68,6 +68,10 @@ void run_spawn_row(CaseRun& run, const SpawnRow& r, std::int64_t& self_hits, std
         unguarded.back().source = -1;
     }
     const std::string name = fmt::format("size {} at {} from {}", r.size, r.away, r.distance);
+    if (rays.size() < wanted)
+        run.record(
+            "rays", std::int64_t(wanted), std::int64_t(wanted - rays.size()),
+            fmt::format("{}: only {} of {} rays met the triangle that they were aimed at", name, rays.size(), wanted));
     run.record("offset", std::int64_t(rays.size()), far_off,
                far_off > 0 ? name + ": an origin more than 64 ulp from its point" : "");
     Expectation e;

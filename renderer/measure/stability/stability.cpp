@@ -41,6 +41,21 @@ std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& co
     return machines;
 }
 
+/// Rows of the case that runs stand in the report while `tell` looks at it.
+void tell_with(StabilityReport& report, const std::vector<StabilityRow>& running, const std::function<void()>& tell) {
+    const std::size_t finished = report.rows.size();
+    report.rows.insert(report.rows.end(), running.begin(), running.end());
+    tell();
+    report.rows.resize(finished);
+}
+
+void keep(StabilityReport& report, std::vector<StabilityRow> rows) {
+    for (StabilityRow& row : rows) {
+        report.preparing_seconds -= row.seconds;
+        report.rows.push_back(std::move(row));
+    }
+}
+
 }  // namespace
 
 std::span<const StabilityCase> stability_cases() {
@@ -68,34 +83,37 @@ bool StabilityReport::passed() const {
            std::ranges::none_of(rows, [](const StabilityRow& row) { return row.verdict == Verdict::fail; });
 }
 
-StabilityReport run_stability(const StabilityConfig& config,
-                              const std::function<void(float, const std::string&)>& progress, std::stop_token stop) {
+StabilityReport run_stability(const StabilityConfig& config, const StabilityProgress& progress, std::stop_token stop) {
     StabilityReport report;
     report.rules = config.rules;
+    report.complete = false;
     const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
     const auto machines = open_machines(config, report.notes);
     if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)
         report.notes.emplace_back(
             "on OpenGL stack, restart and backtrack only; the others with --long, or where --traversal names one");
-    try {
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            const auto tell = [&](float done, const std::string& doing) {
-                const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
-                if (progress) progress((float(i) + done) / float(cases.size()), what);
-            };
-            tell(0, "");
-            CaseRun run(*cases[i], config, machines, stop,
-                        [&](float done, const std::string& doing) { tell(done, ": " + doing); });
-            report.preparing_seconds += 1e-3 * wall_ms([&] { cases[i]->run(run); });
-            for (StabilityRow& row : run.finish()) {
-                report.preparing_seconds -= row.seconds;
-                report.rows.push_back(std::move(row));
-            }
-            ++report.cases_run;
-        }
-    } catch (const CaseRun::Stopped&) {
-        report.complete = false;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto tell = [&](float done, const std::string& doing) {
+            const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
+            if (progress) progress((float(i) + done) / float(cases.size()), what, report);
+        };
+        tell(0, "");
+        CaseRun run(*cases[i], config, machines, stop, [&](float done, const std::string& doing) {
+            tell_with(report, run.rows(), [&] { tell(done, ": " + doing); });
+        });
+        bool stopped = false;
+        report.preparing_seconds += 1e-3 * wall_ms([&] {
+                                        try {
+                                            cases[i]->run(run);
+                                        } catch (const CaseRun::Stopped&) {
+                                            stopped = true;
+                                        }
+                                    });
+        keep(report, run.rows());
+        if (stopped) return report;
+        ++report.cases_run;
     }
+    report.complete = true;
     return report;
 }
 

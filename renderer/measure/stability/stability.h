@@ -62,17 +62,19 @@ struct StabilityReport {
     std::vector<StabilityRow> rows;
     std::vector<std::string> notes;  // what was left out
     Rules rules = Rules::robust;     // that all rows were traced under
-    int cases_run = 0;
-    double preparing_seconds = 0;  // beside those of the rows: trees, and the oracles that rows are held against
-    bool complete = true;          // false where stopped before the end
+    int cases_run = 0;               // to their ends
+    double preparing_seconds = 0;    // beside those of the rows: trees, and the oracles that rows are held against
+    bool complete = true;            // false while it runs, and where stopped before the end
     /// True where something ran, all of it to the end, and no row failed.
     [[nodiscard]] bool passed() const;
 };
 
-/// InputError for a case that is not known. `progress` gets the fraction done, which moves within a
-/// case too, and what runs.
-[[nodiscard]] StabilityReport run_stability(const StabilityConfig& config,
-                                            const std::function<void(float, const std::string&)>& progress = {},
+/// Gets the fraction done, which moves within a case too, what runs, and the rows so far: those of the case that runs
+/// are of the rays that it has traced. It is called as each case begins, with the rows of those before it alone.
+using StabilityProgress = std::function<void(float, const std::string&, const StabilityReport&)>;
+
+/// InputError for a case that is not known. Where stopped, what was found until then is kept.
+[[nodiscard]] StabilityReport run_stability(const StabilityConfig& config, const StabilityProgress& progress = {},
                                             std::stop_token stop = {});
 
 }  // namespace kd

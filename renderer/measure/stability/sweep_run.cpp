@@ -10,6 +10,7 @@
 #include "renderer/measure/stability/stability.h"
 #include "renderer/measure/stability/sweep_judge.h"
 #include "renderer/measure/timing.h"
+#include "renderer/trace/given_up.h"
 #include "renderer/trace/upper_bound.h"
 
 namespace kd {
@@ -28,8 +29,13 @@ class Tally {
         if (fault.ulps >= 0) ulps_.push_back(fault.ulps);
     }
 
+    void add_given_up() {
+        ++row_.n;
+        ++row_.given_up;
+    }
+
     void finish() {
-        row_.upper95 = upper_bound_95(row_.missed + row_.wrong, row_.n);
+        row_.upper95 = upper_bound_95(row_.missed + row_.wrong, row_.answered());
         if (ulps_.empty()) return;
         row_.worst_ulp = std::ranges::max(ulps_);
         row_.p99_ulp = percentile(ulps_, 0.99);
@@ -121,10 +127,16 @@ class SweepRun {
         SweepRow measured = row(value, {machine.tracer(), machine.context(), std::string(info(trace.rules).name),
                                         std::string(info(trace.traversal).name)});
         std::vector<Hit> hits(stage.rays.size());
-        measured.seconds = 1e-3 * wall_ms([&] { (void)machine.trace(trace, stage.rays, false, hits, {}, stop_); });
+        std::vector<RayCounters> counters(stage.rays.size());
+        measured.seconds =
+            1e-3 * wall_ms([&] { (void)machine.trace(trace, stage.rays, false, hits, counters, stop_); });
         check_stop();
         Tally tally(measured);
         for (std::size_t i = 0; i < hits.size(); ++i) {
+            if (was_given_up(counters[i])) {
+                tally.add_given_up();
+                continue;
+            }
             SweepFault fault = judge.judge(i, hits[i].triangle, double(hits[i].t));
             const Hit& loop = stage.loop[i];
             // Whatever the exact answer: the loop over all triangles with the same triangle test must not know better.

@@ -38,11 +38,14 @@ struct SweepRow {
     double value = 0;
     SweepMethod method;
     std::int64_t n = 0, missed = 0, wrong = 0;
-    double upper95 = 0;                   // of the share of both; 3/n where there is none
+    std::int64_t given_up = 0;            // of n: ended and flagged before their answer, so neither missed nor wrong
+    double upper95 = 0;                   // of the share of both; 3 / answered() where there is none
     double worst_ulp = -1, p99_ulp = -1;  // of t, for the hits; negative where nothing was hit
-    double seconds = 0;
+    double seconds = 0;                   // of tracing with counters, which tell what was given up
 
-    [[nodiscard]] double share() const { return n > 0 ? double(missed + wrong) / double(n) : 0; }
+    [[nodiscard]] std::int64_t answered() const { return n - given_up; }
+    /// Of the rays that have an answer.
+    [[nodiscard]] double share() const { return answered() > 0 ? double(missed + wrong) / double(answered()) : 0; }
 };
 
 struct SweepReport {
