@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/engine/pixel.h"
 #include "renderer/trace/counters.h"
 #include "tests/app/engine_run.h"
 #include "viz/overlay.h"
@@ -20,7 +21,8 @@ TEST(Engine, ShowsTheWholePictureOfTheSessionItStartsWith) {
     EXPECT_EQ(state.world->stats.triangles, std::int64_t(state.world->scene().triangles.size()));
     ASSERT_TRUE(state.picture->map);
     EXPECT_EQ(state.picture->map->summary.count, 64 * 48);
-    EXPECT_TRUE(state.picture->map->labels.values.empty());
+    EXPECT_EQ(read_map(*state.picture, {20, 30}), state.picture->map->labels.values.at(20, 30));
+    EXPECT_FALSE(read_map(*state.picture, {64, 0}));
     EXPECT_TRUE(state.messages.empty());
 }
 

@@ -7,6 +7,9 @@ start_window ball:1000 --traversal restart
 press d
 wait_for '^settings.view.map.name=divergence$'
 wait_for '^settings.view.map.schedule=lockstep$'
+hover $(($(value frame.width) / 2)) $(($(value frame.height) / 2))
+wait_for '^hovered.map='
+holds "$(value hovered.map) > 0 && $(value hovered.map) <= 1" || fail "the efficiency under the mouse is $(value hovered.map)"
 choose "VIEW/schedule" while-while
 wait_for '^settings.view.map.schedule=while-while$'
 
