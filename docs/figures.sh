@@ -17,6 +17,8 @@ for name in ball-9000-nodes ball-9000-splits scatter-10000-divergence lantern-be
 done
 "$kdscope" render rooms --map oracle --rules as-published -o "$folder/rooms-oracle.png" >/dev/null
 echo "$folder/rooms-oracle.png"
+"$kdscope" render sheet:10000 --map steps-saved --entry-tile 8 -o "$folder/sheet-steps-saved.png" >/dev/null
+echo "$folder/sheet-steps-saved.png"
 "$kdscope" stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg >/dev/null
 convert -density 110 width.svg -strip "$folder/width-ball-restart.png"
 echo "$folder/width-ball-restart.png"

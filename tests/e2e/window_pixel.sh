@@ -2,6 +2,13 @@
 # The read-out of a pixel holds the numbers that `kdscope render --csv` writes for it; a click pins it, Esc lets it go.
 source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
 
+# show SCENE TRAVERSAL: in the window, and what the command line writes for a picture of its size.
+show() {
+    start_window "$1" --traversal "$2"
+    width=$(value frame.width)
+    height=$(value frame.height)
+    "$KDSCOPE" render "$1" --traversal "$2" --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
+}
 # table X Y COLUMN: of the pixel, from what the command line wrote for the same picture.
 table() {
     awk -F, -v x="$1" -v y="$2" -v name="$3" '
@@ -34,10 +41,7 @@ check_pixel() {
 
 declare -A readings=([primary]=0 [shadow]=0 [reflection]=0)
 for walk in backtrack stack restart; do
-    start_window cornell --traversal "$walk"
-    width=$(value frame.width)
-    height=$(value frame.height)
-    "$KDSCOPE" render cornell --traversal "$walk" --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
+    show cornell "$walk"
     for at in "2 2" "3 2" "3 4" "4 3" "5 4" "60 60"; do
         read -r across down <<<"$at"
         check_pixel $((width / across)) $((height / down))
@@ -48,10 +52,7 @@ for rays in primary shadow reflection; do
     ((readings[$rays] > 0)) || fail "no $rays ray was read"
 done
 
-start_window ball:1000 --traversal restart
-width=$(value frame.width)
-height=$(value frame.height)
-"$KDSCOPE" render ball:1000 --traversal restart --size "${width}x${height}" -o r.png --csv r.csv >/dev/null || fail "render failed"
+show ball:1000 restart
 check_pixel $((width / 2)) $((height / 2))
 check_pixel $((width / 3)) $((height / 4))
 check_pixel 5 5
