@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
+#include <numeric>
 
 #include "app/engine/levels.h"
 #include "app/panels/applies.h"
@@ -18,7 +20,7 @@ namespace kd {
 namespace {
 
 constexpr const char* none = "–";
-constexpr float tall_from = 210, setup_from = 130;  // pixels at scale 1
+constexpr float tall_from = 210, setup_from = 130, numbers_height = 150;  // pixels at scale 1
 
 std::string ms_text(double ms) { return number_text(ms) + " ms"; }
 
@@ -190,12 +192,14 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
     const std::string waiting = edit.window.timing ? "when idle" : "timing is off";
     const std::string no_gpu = !state.gl.known || state.gl.available() ? waiting : "no OpenGL 4.3";
 
-    // A panel dragged high has the plot below the numbers, as wide as the window, and no empty corner.
     const float room = ImGui::GetContentRegionAvail().y;
-    const bool tall = room >= theme::px(tall_from);
-    ImGui::Columns(tall ? 4 : 5, tall ? "tall" : "flat", false);
     const float width = ImGui::GetWindowContentRegionMax().x;
     const float widths[] = {theme::px(136), theme::px(168), theme::px(222), theme::px(160)};
+    // A panel dragged high has the plot below the numbers, where it is larger there than beside them.
+    const float beside = (width - std::accumulate(std::begin(widths), std::end(widths), 0.0f)) * room;
+    const float below = width * (room - theme::px(numbers_height));
+    const bool tall = room >= theme::px(tall_from) && below > beside;
+    ImGui::Columns(tall ? 4 : 5, tall ? "tall" : "flat", false);
     float used = 0;
     for (int i = 0; i < (tall ? 3 : 4); ++i) {
         ImGui::SetColumnWidth(i, widths[i]);

@@ -59,7 +59,7 @@ PaperFigure figure_13(const PaperResults& r) {
     finish_from_zero(chart, plain_text);
     return {"figure-13", "Figure 13",
             "What the missing stack costs in visits: no time and no SIMD is in it. The paper shows the diverging scene "
-            "alone.",
+            "alone; its number stands over both readings of it.",
             chart, scenes};
 }
 

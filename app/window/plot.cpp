@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/window/theme.h"
+#include "renderer/geometry/order_statistics.h"
 
 namespace kd::plot {
 
@@ -26,6 +27,12 @@ void draw_grid(ImDrawList& list, ImVec2 low, ImVec2 high, float top, const char*
     }
 }
 
+/// A small arrow upwards: the value is larger than the scale.
+void draw_beyond(ImDrawList& list, ImVec2 at, ImU32 colour) {
+    const float half = theme::px(4);
+    list.AddTriangleFilled({at.x - half, at.y + half}, {at.x, at.y - half}, {at.x + half, at.y + half}, colour);
+}
+
 void draw_series(ImDrawList& list, ImVec2 low, ImVec2 high, const Series& series, int capacity, float top) {
     const std::size_t count = std::min(series.values.size(), std::size_t(capacity));
     const float step = (high.x - low.x) / float(capacity - 1);
@@ -35,12 +42,24 @@ void draw_series(ImDrawList& list, ImVec2 low, ImVec2 high, const Series& series
         const ImVec2 point{high.x - step * float(count - 1 - i),
                            high.y - (high.y - low.y) * std::clamp(value / top, 0.0f, 1.0f)};
         if (i > 0) list.AddLine(before, point, series.colour, theme::px(1.5f));
+        if (value > top) draw_beyond(list, point, series.colour);
         if (i + 1 == count) list.AddCircleFilled(point, theme::px(3), series.colour);
         before = point;
     }
 }
 
 }  // namespace
+
+float scale_of(const std::vector<Series>& series) {
+    float largest = 0, usual = 0;
+    for (const Series& one : series) {
+        std::vector<float> values = one.values;
+        if (values.empty()) continue;
+        largest = std::max(largest, std::ranges::max(values));
+        usual = std::max(usual, percentile(values, 0.9));
+    }
+    return round_up(std::min(largest, 2 * usual));
+}
 
 float round_up(float value) {
     if (!(value > 0)) return 1;
@@ -55,10 +74,7 @@ void draw(const char* id, const std::vector<Series>& series, int capacity, const
     const ImVec2 size{std::max(space.x, theme::px(60)), std::max(space.y, theme::px(40))};
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, size);
-    float largest = 0;
-    for (const Series& one : series)
-        for (const float value : one.values) largest = std::max(largest, value);
-    const float top = round_up(largest);
+    const float top = scale_of(series);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float margin = theme::px(56);

@@ -286,6 +286,17 @@ TEST(Plot, ScalesAreRound) {
     EXPECT_FLOAT_EQ(plot::round_up(20), 20);
 }
 
+TEST(Plot, OneSlowRoundDoesNotSetTheScale) {
+    std::vector<float> values(40, 50.0f);
+    EXPECT_FLOAT_EQ(plot::scale_of({{0, values}}), 50);
+    values[7] = 80;
+    EXPECT_FLOAT_EQ(plot::scale_of({{0, values}}), 100) << "it is in the picture";
+    values[7] = 2000;
+    EXPECT_FLOAT_EQ(plot::scale_of({{0, values}}), 100) << "it is not, and marked";
+    EXPECT_FLOAT_EQ(plot::scale_of({{0, values}, {0, std::vector<float>(40, 400.0f)}}), 1000);
+    EXPECT_FLOAT_EQ(plot::scale_of({{0, {}}, {0, {3, 4}}}), 5);
+}
+
 TEST(Export, NamesCountUpOverAllKinds) {
     const fs::path folder = fs::path(KD_TEST_OUTPUT_DIR) / "export names";
     fs::remove_all(folder);
