@@ -6,6 +6,7 @@
 
 #include "renderer/measure/path_rays.h"
 #include "renderer/trace/counters.h"
+#include "renderer/trace/given_up.h"
 
 namespace kd {
 
@@ -25,10 +26,10 @@ bool same_point(const Ray& ray, float t, const f64::Hit& exact, double most_ulps
 
 JudgedHit judge_ray(const DoubleOracle& oracle, const Ray& ray, const f64::Hit& exact, const Hit& found,
                     uint exit_reason) {
-    const bool given_up = exit_reason == uint(KD_EXIT_STEP_CAP) || exit_reason == uint(KD_EXIT_STACK_OVERFLOW);
     // A ray that is none has no hit in double either.
     const bool refused = exit_reason == uint(KD_EXIT_INVALID_RAY) && exact.triangle >= 0;
-    if (given_up || refused) return {HitVerdict::unfinished, std::numeric_limits<double>::infinity(), exact};
+    if (was_given_up(exit_reason) || refused)
+        return {HitVerdict::unfinished, std::numeric_limits<double>::infinity(), exact};
 
     const HitJudge judge;
     HitError error = judge.judge(found, exact);

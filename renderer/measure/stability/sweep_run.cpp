@@ -133,7 +133,7 @@ class SweepRun {
         check_stop();
         Tally tally(measured);
         for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (was_given_up(counters[i])) {
+            if (was_given_up(counters[i].exit_reason)) {
                 tally.add_given_up();
                 continue;
             }
