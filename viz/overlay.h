@@ -11,8 +11,17 @@
 
 namespace kd {
 
+/// What the colour of a cell's lines says.
+enum class CellColour {
+    depth,      // of its node
+    visits,     // how often rays came by, counted
+    predicted,  // how often they should, by its surface area: the surface area heuristic's assumption
+    ratio,      // counted over predicted
+};
+
 struct OverlayConfig {
     bool show = false;
+    CellColour colour = CellColour::depth;
     int max_depth = 6;        // cells down to this depth
     bool planes = true;       // outlines of split planes
     bool boxes = true;        // outlines of the cells at max_depth (or leaves above it)

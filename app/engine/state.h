@@ -13,6 +13,7 @@
 #include "app/engine/paper.h"
 #include "app/engine/pixel.h"
 #include "app/engine/stability.h"
+#include "app/engine/visits.h"
 #include "app/engine/widths.h"
 #include "app/engine/world.h"
 #include "app/frame/frame_time.h"
@@ -128,6 +129,7 @@ struct EngineState {
     int compiled = 0;   // since the start
     StabilityState stability;
     WidthState widths;
+    VisitState visits;
     PaperState paper;
     ConvergenceState convergence;
     std::optional<PixelReading> hovered, pinned;

@@ -262,6 +262,15 @@ void step_ray(const EngineState& state, Edit& edit, int by) {
     step = next < 0 ? std::nullopt : std::optional(next);
 }
 
+void select_node(const EngineState& state, Edit& edit, int node) {
+    if (state.world) edit.window.node = node_path(state.world->tree, node);
+}
+
+std::optional<int> selected_node(const EngineState& state, const Edit& edit) {
+    if (!state.world || !edit.window.node) return std::nullopt;
+    return node_at(state.world->tree, *edit.window.node);
+}
+
 void compare(Edit& edit) {
     Session shown = edit.window.other.value_or(edit.session);
     const Session& before = edit.session;

@@ -50,10 +50,11 @@ struct WindowSettings {
     Corner legend_corner = Corner::bottom_right;
     float text_scale = 1;  // of everything, over the display's own scale
     std::optional<PixelPosition> pinned;
-    std::optional<Pass> pixel_rays;  // that PIXEL reads; none: those of the map
-    std::optional<int> step;         // of the pinned pixel's ray: the leaf that is lit, from 0
-    std::optional<Session> other;    // of two configurations the one that is not shown; none before there are two
-    bool shows_b = false;            // the second of the two, the first is A
+    std::optional<Pass> pixel_rays;   // that PIXEL reads; none: those of the map
+    std::optional<std::string> node;  // selected, by its path from the root (renderer/kdtree/hand_split.h)
+    std::optional<int> step;          // of the pinned pixel's ray: the leaf that is lit, from 0
+    std::optional<Session> other;     // of two configurations the one that is not shown; none before there are two
+    bool shows_b = false;             // the second of the two, the first is A
     CameraStyle camera_style = CameraStyle::orbit;
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
@@ -173,6 +174,10 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
 /// The leaf lit along the pinned pixel's ray, which is the one under the mouse where none is pinned: the next one (+1),
 /// or the one before (-1), which is none before the first.
 void step_ray(const EngineState& state, Edit& edit, int by);
+/// Selects a node of the tree in use, in all views.
+void select_node(const EngineState& state, Edit& edit, int node);
+/// The node selected; nothing where none is, or where the tree in use has none there.
+[[nodiscard]] std::optional<int> selected_node(const EngineState& state, const Edit& edit);
 /// Between two configurations, A and B, of one scene seen by one camera. B begins as a copy of A.
 void compare(Edit& edit);
 /// Pins the next place where pixels are wrong by the oracle, or the one before; chooses the oracle's map where none was

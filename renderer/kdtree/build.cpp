@@ -18,6 +18,22 @@ void check_range(std::string_view name, double value, double least, double most)
     throw InputError(fmt::format("builder constant {} is {}: use a number from {} to {}", name, value, least, most));
 }
 
+void check_by_hand(const std::vector<HandSplit>& splits) {
+    for (std::size_t i = 0; i < splits.size(); ++i) {
+        const auto& [path, axis, position] = splits[i];
+        const auto refuse = [&](std::string_view why) {
+            throw InputError(fmt::format("plane by hand at '{}': {}", path, why));
+        };
+        if (path.find_first_not_of({path_below, path_above}) != std::string::npos)
+            refuse("a path is made of b (the child below) and a (the child above)");
+        if (path.size() >= std::size_t(max_tree_depth)) refuse("no tree is that deep");
+        if (axis < 0 || axis > 2) refuse(fmt::format("axis {} is none of 0, 1, 2", axis));
+        if (!std::isfinite(position)) refuse("its position is not finite");
+        for (std::size_t j = 0; j < i; ++j)
+            if (splits[j].path == path) refuse("there is another for the same node");
+    }
+}
+
 void check_config(const BuildConfig& config) {
     check_range("traversal_cost", double(config.traversal_cost), 0, 1e6);
     check_range("intersection_cost", double(config.intersection_cost), 0, 1e6);
@@ -29,6 +45,7 @@ void check_config(const BuildConfig& config) {
     check_range("bad_refines", config.bad_refines, 0, max_tree_depth);
     check_range("reference_cap", double(config.reference_cap), 1, 1e6);
     check_range("bins", config.bins, fewest_bins, most_bins);
+    check_by_hand(config.by_hand);
 }
 
 bool is_finite(const Triangle& triangle) {

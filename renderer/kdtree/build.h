@@ -6,7 +6,9 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "renderer/kdtree/hand_split.h"
 #include "renderer/kdtree/tree.h"
 
 namespace kd {
@@ -44,15 +46,29 @@ struct BuildConfig {
     /// A leaf names only triangles whose surface reaches its cell, not all whose bounding box does (the paper's
     /// choice): the same splits with a quarter fewer triangle tests.
     bool trim_leaves = true;
+    /// Planes put by a person, in any order, one for a path at most.
+    std::vector<HandSplit> by_hand{};
 
     bool operator==(const BuildConfig&) const = default;
+};
+
+/// Where the time of a build went, in seconds; the rest of BuildReport::seconds is checks and bookkeeping.
+struct BuildPhases {
+    double prepare = 0;  // projections of the triangles, sorted where the builder sorts
+    double choose = 0;   // looking for the planes
+    double divide = 0;   // lists of both sides, with clipping where the builder clips
+    double leaves = 0;   // lists of leaves, trimmed
+
+    [[nodiscard]] double sum() const { return prepare + choose + divide + leaves; }
 };
 
 /// What happened during a build.
 struct BuildReport {
     double seconds = 0;
+    BuildPhases phases;
     bool reference_cap_hit = false;
     bool depth_limit_hit = false;
+    int idle_hand_splits = 0;  // of BuildConfig::by_hand
 };
 
 /// How whoever has a tree built says that the cap was reached.

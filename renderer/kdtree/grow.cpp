@@ -15,16 +15,37 @@ struct Pending {
     int parent = -1;
     bool is_above = false;
     int depth = 0;
+    std::uint64_t path = 0;  // a bit per level, the root's lowest: 1 for the child above
     int bad_refines = 0;
     std::int64_t allowance = 0;  // references that its leaves may hold together
     double work = 1.0;           // its share of the whole build
 };
 
+static_assert(max_tree_depth <= 64, "Pending::path has a bit per level");
+
+/// A plane that a person put, with its path in bits.
+struct PlacedPlane {
+    int depth;
+    std::uint64_t path;
+    const HandSplit* split;
+};
+
+std::vector<PlacedPlane> placed_planes(const BuildConfig& config) {
+    std::vector<PlacedPlane> planes;
+    for (const HandSplit& split : config.by_hand) {
+        std::uint64_t path = 0;
+        for (std::size_t i = 0; i < split.path.size(); ++i) path |= std::uint64_t(split.path[i] == path_above) << i;
+        planes.push_back({int(split.path.size()), path, &split});
+    }
+    return planes;
+}
+
 class Grower {
   public:
     Grower(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter)
         : task_(task), splitter_(splitter), lists_(ranges),
-          depth_limit_(depth_limit(task.config, task.triangles.size())) {
+          depth_limit_(depth_limit(task.config, task.triangles.size())), placed_(placed_planes(task.config)) {
+        task.report.idle_hand_splits = int(placed_.size());
         tree_.nodes.clear();
         tree_.bounds = ranges.bounds;
         const double allowance = double(task.config.reference_cap) * double(task.triangles.size());
@@ -59,21 +80,38 @@ class Grower {
     /// The splitter's choice, or nothing where a limit says leaf.
     std::optional<Split> choose(const Pending& at) {
         const std::size_t count = lists_.top().size();
-        if (count <= std::size_t(task_.config.leaf_size) || task_.stop.stop_requested()) return std::nullopt;
+        const PlacedPlane* placed = count > 0 ? placed_at(at) : nullptr;
+        if ((!placed && count <= std::size_t(task_.config.leaf_size)) || task_.stop.stop_requested())
+            return std::nullopt;
         // A cell without a surface is met with probability 0, and has no axis to split.
         if (!(at.cell.surface_area() > 0.0)) return std::nullopt;
         if (at.depth >= depth_limit_) {
             task_.report.depth_limit_hit = true;
             return std::nullopt;
         }
-        std::optional<Split> split = cut_empty_space(at.cell);
-        if (!split) split = splitter_.choose(at.cell, lists_);
+        std::optional<Split> split = placed ? by_hand(*placed->split, at.cell) : std::nullopt;
+        if (!split) split = cut_empty_space(at.cell);
+        if (!split && count > std::size_t(task_.config.leaf_size)) split = splitter_.choose(at.cell, lists_);
         if (!split || at.bad_refines + split->bad > task_.config.bad_refines) return std::nullopt;
         if (std::int64_t(split->below) + split->above > at.allowance) {
             task_.report.reference_cap_hit = true;
             return std::nullopt;
         }
         return split;
+    }
+
+    [[nodiscard]] const PlacedPlane* placed_at(const Pending& at) const {
+        const auto found = std::ranges::find_if(
+            placed_, [&](const PlacedPlane& p) { return p.depth == at.depth && p.path == at.path; });
+        return found == placed_.end() ? nullptr : &*found;
+    }
+
+    /// The plane that a person put, where it lies inside the top cell.
+    [[nodiscard]] std::optional<Split> by_hand(const HandSplit& placed, const Aabb& cell) {
+        if (!(placed.position > cell.lower[placed.axis] && placed.position < cell.upper[placed.axis]))
+            return std::nullopt;
+        --task_.report.idle_hand_splits;
+        return lists_.count(placed.axis, placed.position);
     }
 
     /// The plane that cuts off the largest share of the top cell without triangles, where that is large enough.
@@ -113,6 +151,7 @@ class Grower {
         below.work = at.work * split.below / double(references);
 
         above.is_above = true;
+        above.path |= std::uint64_t(1) << at.depth;
         above.cell.lower[split.axis] = split.position;
         above.allowance = at.allowance - below.allowance;
         above.work = at.work - below.work;
@@ -146,6 +185,7 @@ class Grower {
     Splitter& splitter_;
     CellLists lists_;
     int depth_limit_;
+    std::vector<PlacedPlane> placed_;
     KdTree tree_;
     std::vector<Pending> pending_;
     double done_ = 0.0;

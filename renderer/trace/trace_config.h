@@ -10,11 +10,15 @@ namespace kd {
 /// Where leaves keep their triangles (paper, section 2.3.1): numbers into one array, or copies of the vertices.
 enum class LeafLists { references, duplicated };
 
+/// How a tracer keeps the nodes: the paper's 16 bytes (its section 2.3.1), or 8 without a link to the parent.
+enum class NodeEncoding { float4, packed };
+
 struct TraceConfig {
     Traversal traversal = Traversal::stack;
     Rules rules = Rules::robust;
     LeafLists leaf_lists = LeafLists::references;
-    int short_stack = 4;          // entries that Traversal::short_stack keeps, 1 to max_short_stack
+    NodeEncoding nodes = NodeEncoding::float4;  // backtrack climbs to parents: it keeps float4
+    int short_stack = 4;                        // entries that Traversal::short_stack keeps, 1 to max_short_stack
     bool optimised_ropes = true;  // ropes lead to the smallest cell beyond a face, not to the sibling across the plane
     bool eye_leaf = false;        // with ropes, primary rays begin in the leaf that the camera is in
     int entry_tile = 0;  // without ropes, primary rays begin at the entry point of their tile of n x n pixels; 0 = root

@@ -1,0 +1,31 @@
+// Planes that a person puts where a builder would have put others.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kd {
+
+struct KdTree;  // renderer/kdtree/tree.h
+
+/// Steps from the root in a path: to the child below a split, and to the one above it.
+inline constexpr char path_below = 'b', path_above = 'a';
+
+/// One plane, for the node at the end of a path. It is used where that node is reached, holds triangles and has the
+/// plane strictly inside its cell; BuildReport::idle_hand_splits counts those that are not.
+struct HandSplit {
+    std::string path;  // "" is the root
+    int axis = 0;
+    float position = 0;  // in the units of the triangles that the tree is built from
+
+    bool operator==(const HandSplit&) const = default;
+};
+
+/// The path from the root to a node.
+[[nodiscard]] std::string node_path(const KdTree& tree, int node);
+
+/// The node at the end of a path; nothing where the tree ends before, or where a step is neither of the two.
+[[nodiscard]] std::optional<int> node_at(const KdTree& tree, std::string_view path);
+
+}  // namespace kd
