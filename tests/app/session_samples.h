@@ -27,11 +27,12 @@ inline Session unlike_the_default() {
     reference_cap = 1.1f;
     bins = 256;
     trim_leaves = false;
-    auto& [traversal, rules, leaf_lists, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces, contribution,
-           counters, step_budget, forced] = trace;
+    auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces,
+           contribution, counters, step_budget, forced] = trace;
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
     leaf_lists = LeafLists::duplicated;
+    nodes = NodeEncoding::packed;
     short_stack = 8;
     ropes = false;
     eye_leaf = true;
