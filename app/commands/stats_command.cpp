@@ -148,9 +148,9 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         table.add_row(cells);
     }
     table.print(out);
-    out << fmt::format("GL memory is that of gl-fragment with {}, {} lists and a {}x{} picture.\n",
-                       info(session.trace.traversal).name, name_of(session.trace.leaf_lists), session.width,
-                       session.height);
+    out << fmt::format("GL memory is that of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
+                       info(session.trace.traversal).name, bytes_of(nodes_in_force(session.trace)),
+                       name_of(session.trace.leaf_lists), session.width, session.height);
     for (const Entry& entry : entries)
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }
