@@ -69,7 +69,7 @@ void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
     scene_ = std::move(loaded);
     if (names_gltf(scene_->name)) duels_.forget();  // the file may have changed since it was read before
-    take_opened_camera(scene_->flat);
+    take_opened_lengths(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
     start_build();
 }
@@ -102,14 +102,14 @@ void Engine::start_build() {
     }
     state_.building = {true, 0};
     build_fraction_ = 0;
-    builder_.submit([this, config, loaded = scene_](const std::stop_token& stop) {
+    builder_.submit([this, config, loaded = scene_, threads = state_.session.threads](const std::stop_token& stop) {
         auto world = std::make_shared<World>();
         world->loaded = loaded;
         world->built_with = config;
         std::string error;
         const auto progress = [this](float fraction) { build_fraction_ = fraction; };
         try {
-            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
+            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop, threads);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
             world->facts = scene_facts(loaded->flat, world->tree);
         } catch (const std::exception& e) {
@@ -134,7 +134,7 @@ void Engine::start_build() {
 void Engine::finish_build(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
-    if (state_.world->report.reference_cap_hit) say(false, fmt::format("tree: {}", reference_cap_note));
+    for (const std::string& note : build_notes(state_.world->report)) say(false, "tree: " + note);
     trace_generation_ = ++state_.generation;
     start_trace();
 }

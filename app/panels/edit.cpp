@@ -103,6 +103,7 @@ void show_unfinished(const EngineState& state, Edit& edit) {
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
+    edit.session.build.by_hand.clear();  // they mean nodes of the tree before
     std::string& refused = edit.window.scene_asked;
     if (refused.empty() || refused == scene) return;
     edit.window.scene_text.clear();
