@@ -2,7 +2,18 @@
 
 #include <array>
 
+#include "renderer/kdtree/hand_split.h"
+
 namespace kd {
+
+Cell cell_of(const KdTree& tree, int node) {
+    Cell cell{0, 0, tree.bounds};
+    for (const char step : node_path(tree, node)) {
+        const TreeNode& n = tree.nodes[static_cast<std::size_t>(cell.node)];
+        cell = step == path_below ? child_below(n, cell) : child_above(n, cell);
+    }
+    return cell;
+}
 
 Cell child_below(const TreeNode& n, const Cell& cell) {
     Cell child{cell.node + 1, cell.depth + 1, cell.box};

@@ -14,6 +14,9 @@ struct Cell {
     Aabb box;
 };
 
+/// Of any node, found by its path.
+[[nodiscard]] Cell cell_of(const KdTree& tree, int node);
+
 [[nodiscard]] Cell child_below(const TreeNode& n, const Cell& cell);
 [[nodiscard]] Cell child_above(const TreeNode& n, const Cell& cell);
 
