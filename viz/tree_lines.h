@@ -15,7 +15,7 @@ struct Cell {
     Aabb box;
 };
 
-/// Of any node, found by its path.
+/// The cell of a node, from the planes above it.
 [[nodiscard]] Cell cell_of(const KdTree& tree, int node);
 
 [[nodiscard]] Cell child_below(const TreeNode& n, const Cell& cell);
