@@ -188,8 +188,8 @@ INSTANTIATE_TEST_SUITE_P(All, UniformLines, testing::ValuesIn(builders().begin()
 
 /// The largest distance of a node's visits from the predicted ones, in standard deviations of the binomial
 /// distribution, over nodes of which at least 50 visits are expected. Beyond 6 lies one such node in ten million even
-/// at 50, where the distribution still leans; the trees here have 60,000 together. Measured: 4.4. What the slack of
-/// robust walks adds to a cell, a millionth of the scene on each side, is far below one.
+/// at 50, where the distribution still leans; the trees here have 159,000 nodes together. Measured: 4.4. What the slack
+/// of robust walks adds to a cell, a millionth of the scene on each side, is far below one.
 double largest_deviation(const KdTree& tree, const NodeVisits& visits) {
     const std::vector<double> predicted = visits.predicted(tree);
     double most = 0;
