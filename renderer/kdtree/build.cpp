@@ -7,6 +7,7 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/builders.h"
+#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sweep_events.h"
 
 namespace kd {
@@ -105,7 +106,10 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     BuildReport own_report;
     BuildReport& told = report ? *report : own_report;
     told = BuildReport{};
-    KdTree tree = builder.build({triangles, config, told, progress, std::move(stop)});
+    const BuildTask task{triangles, config, told, progress, std::move(stop)};
+    const TriangleRanges ranges(triangles);
+    const std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
+    KdTree tree = grow_tree(task, ranges, *splitter);
     told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return tree;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -87,11 +88,14 @@ struct BuildTask {
     std::stop_token stop;
 };
 
+class Splitter;         // renderer/kdtree/splitter.h
+struct TriangleRanges;  // renderer/kdtree/cell_lists.h
+
 struct Builder {
     std::string_view name;     // "paper"
     std::string_view title;    // "SAH as in the paper"
     std::string_view summary;  // one sentence
-    KdTree (*build)(const BuildTask&);
+    std::unique_ptr<Splitter> (*splitter)(const BuildTask&, const TriangleRanges&);
     bool has_bins = false;  // BuildConfig::bins matters
 };
 

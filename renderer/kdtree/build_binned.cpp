@@ -4,8 +4,8 @@
 // exactly.
 
 #include "renderer/kdtree/builders.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
@@ -117,7 +117,7 @@ class BinnedSplitter : public Splitter {
 Builder binned_builder() {
     return {"binned", "SAH, binned",
             "Surface area heuristic at evenly spaced planes on all axes, exact in small cells; sorts nothing large.",
-            grow_with<BinnedSplitter>, true};
+            make_splitter<BinnedSplitter>, true};
 }
 
 }  // namespace kd

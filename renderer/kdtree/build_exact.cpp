@@ -4,8 +4,8 @@
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/clip.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
@@ -26,6 +26,12 @@ class ExactSplitter : public Splitter {
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return cheapest_split(task_.config, cell, int(lists.top().size()),
                               {events_.top(0), events_.top(1), events_.top(2)});
+    }
+
+    [[nodiscard]] Split count(int axis, float position, bool planar_below, const CellLists&) const override {
+        Split split{.axis = axis, .position = position, .planar_below = planar_below};
+        for (const Aabb& box : boxes_.top()) split.add(sides_of({box.lower[axis], box.upper[axis]}, split));
+        return split;
     }
 
     void divide(const Aabb& cell, const Split& split, CellLists& lists) override {
@@ -88,7 +94,7 @@ Builder exact_builder() {
     return {
         "exact", "SAH, exact with clipping",
         "Surface area heuristic at all ends of the triangles' parts in the cell, on all axes: the best trees, slowest.",
-        grow_with<ExactSplitter>};
+        make_splitter<ExactSplitter>};
 }
 
 }  // namespace kd

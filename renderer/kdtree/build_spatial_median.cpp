@@ -1,8 +1,8 @@
 // The simplest builder: every cell is halved across its longest axis, until that has not paid off too often.
 
 #include "renderer/kdtree/builders.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
@@ -26,7 +26,7 @@ class MiddleSplitter : public Splitter {
 
 Builder spatial_median_builder() {
     return {"spatial-median", "Spatial median", "Halves every cell across its longest axis.",
-            grow_with<MiddleSplitter>};
+            make_splitter<MiddleSplitter>};
 }
 
 }  // namespace kd

@@ -25,16 +25,18 @@ TriangleRanges::TriangleRanges(std::span<const Triangle> triangles) {
     }
 }
 
+TriangleRanges::TriangleRanges(std::span<const Triangle> triangles, const Aabb& tree_bounds)
+    : TriangleRanges(triangles) {
+    bounds = tree_bounds;
+}
+
 CellLists::CellLists(const TriangleRanges& ranges)
     : ranges_(ranges), lists_(all_numbers(ranges.axis[0].size())), sides_(ranges.axis[0].size()) {}
 
 Split CellLists::count(int axis, float position, bool planar_below) const {
     Split split{.axis = axis, .position = position, .planar_below = planar_below};
-    for (std::int32_t number : top()) {
-        const unsigned sides = sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], split);
-        split.below += int(sides & side_below);
-        split.above += int(sides >> 1);
-    }
+    for (const std::int32_t number : top())
+        split.add(sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], split));
     return split;
 }
 

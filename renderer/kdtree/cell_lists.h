@@ -27,9 +27,11 @@ struct AxisRange {
 /// The projections of all triangles, axis by axis.
 struct TriangleRanges {
     explicit TriangleRanges(std::span<const Triangle> triangles);
+    /// Of triangles of a tree with these bounds, not all of it.
+    TriangleRanges(std::span<const Triangle> triangles, const Aabb& tree_bounds);
 
     std::array<std::vector<AxisRange>, 3> axis;
-    Aabb bounds;
+    Aabb bounds;  // of the root's cell
 };
 
 /// The triangle lists of the unfinished cells; numbers ascend in every list.

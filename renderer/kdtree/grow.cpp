@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "renderer/kdtree/coverage.h"
+#include "renderer/kdtree/plane_chooser.h"
 
 namespace kd {
 
@@ -14,38 +15,18 @@ struct Pending {
     Aabb cell;
     int parent = -1;
     bool is_above = false;
-    int depth = 0;
-    std::uint64_t path = 0;  // a bit per level, the root's lowest: 1 for the child above
+    NodePath path{};
     int bad_refines = 0;
     std::int64_t allowance = 0;  // references that its leaves may hold together
     double work = 1.0;           // its share of the whole build
 };
 
-static_assert(max_tree_depth <= 64, "Pending::path has a bit per level");
-
-/// A plane that a person put, with its path in bits.
-struct PlacedPlane {
-    int depth;
-    std::uint64_t path;
-    const HandSplit* split;
-};
-
-std::vector<PlacedPlane> placed_planes(const BuildConfig& config) {
-    std::vector<PlacedPlane> planes;
-    for (const HandSplit& split : config.by_hand) {
-        std::uint64_t path = 0;
-        for (std::size_t i = 0; i < split.path.size(); ++i) path |= std::uint64_t(split.path[i] == path_above) << i;
-        planes.push_back({int(split.path.size()), path, &split});
-    }
-    return planes;
-}
-
 class Grower {
   public:
     Grower(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter)
-        : task_(task), splitter_(splitter), lists_(ranges),
-          depth_limit_(depth_limit(task.config, task.triangles.size())), placed_(placed_planes(task.config)) {
-        task.report.idle_hand_splits = int(placed_.size());
+        : task_(task), splitter_(splitter), chooser_(task.config, splitter), lists_(ranges),
+          depth_limit_(depth_limit(task.config, task.triangles.size())) {
+        task.report.idle_hand_splits = int(task.config.by_hand.size());
         tree_.nodes.clear();
         tree_.bounds = ranges.bounds;
         const double allowance = double(task.config.reference_cap) * double(task.triangles.size());
@@ -77,59 +58,27 @@ class Grower {
         return node;
     }
 
-    /// The splitter's choice, or nothing where a limit says leaf.
+    /// Where the top cell is split, or nothing where a limit says leaf.
     std::optional<Split> choose(const Pending& at) {
-        const std::size_t count = lists_.top().size();
-        const PlacedPlane* placed = count > 0 ? placed_at(at) : nullptr;
-        if ((!placed && count <= std::size_t(task_.config.leaf_size)) || task_.stop.stop_requested())
-            return std::nullopt;
+        if (lists_.top().empty() || task_.stop.stop_requested()) return std::nullopt;
         // A cell without a surface is met with probability 0, and has no axis to split.
         if (!(at.cell.surface_area() > 0.0)) return std::nullopt;
-        if (at.depth >= depth_limit_) {
+        const bool placed = chooser_.is_placed(at.path);
+        if (!placed && lists_.top().size() <= std::size_t(task_.config.leaf_size)) return std::nullopt;
+        if (at.path.depth >= depth_limit_) {
             task_.report.depth_limit_hit = true;
             return std::nullopt;
         }
-        std::optional<Split> split = placed ? by_hand(*placed->split, at.cell) : std::nullopt;
-        if (!split) split = cut_empty_space(at.cell);
-        if (!split && count > std::size_t(task_.config.leaf_size)) split = splitter_.choose(at.cell, lists_);
+        std::optional<Split> split = placed ? chooser_.by_hand(at.path, at.cell, lists_) : std::nullopt;
+        const bool by_hand = split.has_value();
+        if (!split) split = chooser_.by_rule(at.cell, lists_);
         if (!split || at.bad_refines + split->bad > task_.config.bad_refines) return std::nullopt;
         if (std::int64_t(split->below) + split->above > at.allowance) {
             task_.report.reference_cap_hit = true;
             return std::nullopt;
         }
+        task_.report.idle_hand_splits -= by_hand;
         return split;
-    }
-
-    [[nodiscard]] const PlacedPlane* placed_at(const Pending& at) const {
-        const auto found = std::ranges::find_if(
-            placed_, [&](const PlacedPlane& p) { return p.depth == at.depth && p.path == at.path; });
-        return found == placed_.end() ? nullptr : &*found;
-    }
-
-    /// The plane that a person put, where it lies inside the top cell.
-    [[nodiscard]] std::optional<Split> by_hand(const HandSplit& placed, const Aabb& cell) {
-        if (!(placed.position > cell.lower[placed.axis] && placed.position < cell.upper[placed.axis]))
-            return std::nullopt;
-        --task_.report.idle_hand_splits;
-        return lists_.count(placed.axis, placed.position);
-    }
-
-    /// The plane that cuts off the largest share of the top cell without triangles, where that is large enough.
-    [[nodiscard]] std::optional<Split> cut_empty_space(const Aabb& cell) const {
-        double largest = double(task_.config.empty_cut);
-        if (!(largest > 0)) return std::nullopt;
-        std::optional<Split> best;
-        for (int axis = 0; axis < 3; ++axis) {
-            const AxisRange covered = lists_.covered(axis, cell);
-            const double lower = double(cell.lower[axis]), extent = double(cell.upper[axis]) - lower;
-            const double before = (double(covered.lower) - lower) / extent;
-            const double behind = (double(cell.upper[axis]) - double(covered.upper)) / extent;
-            const bool front = before >= behind;
-            if (!(std::max(before, behind) >= largest)) continue;
-            largest = std::max(before, behind);
-            best = lists_.count(axis, front ? covered.lower : covered.upper, !front);
-        }
-        return best;
     }
 
     void make_interior(int node, const Pending& at, const Split& split) {
@@ -140,7 +89,7 @@ class Grower {
 
         Pending below = at;
         below.parent = node;
-        below.depth = at.depth + 1;
+        below.path = at.path.child(false);
         below.bad_refines = at.bad_refines + split.bad;
         Pending above = below;
 
@@ -151,7 +100,7 @@ class Grower {
         below.work = at.work * split.below / double(references);
 
         above.is_above = true;
-        above.path |= std::uint64_t(1) << at.depth;
+        above.path = at.path.child(true);
         above.cell.lower[split.axis] = split.position;
         above.allowance = at.allowance - below.allowance;
         above.work = at.work - below.work;
@@ -183,9 +132,9 @@ class Grower {
 
     const BuildTask& task_;
     Splitter& splitter_;
+    PlaneChooser chooser_;
     CellLists lists_;
     int depth_limit_;
-    std::vector<PlacedPlane> placed_;
     KdTree tree_;
     std::vector<Pending> pending_;
     double done_ = 0.0;
@@ -196,15 +145,6 @@ class Grower {
 
 KdTree grow_tree(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter) {
     return Grower(task, ranges, splitter).run();
-}
-
-int longest_axis(const Aabb& box) {
-    const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
-    int axis = 0;
-    for (int a = 1; a < 3; ++a) {
-        if (extent[a] > extent[axis]) axis = a;
-    }
-    return axis;
 }
 
 }  // namespace kd

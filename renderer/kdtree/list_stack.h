@@ -5,11 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace kd {
+#include "renderer/kdtree/split.h"
 
-/// Bits that say on which sides of a split an entry stands.
-inline constexpr unsigned side_below = 1;
-inline constexpr unsigned side_above = 2;
+namespace kd {
 
 /// A stack of lists of T. Dividing the top list in two puts the list above the split in its place and the list below on
 /// top of that, both in the old order.
