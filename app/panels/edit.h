@@ -116,6 +116,9 @@ struct Edit {
 /// The bottom panel that has efficiency against width measured while it is shown.
 inline constexpr const char* divergence_panel = "DIVERGENCE";
 
+/// The bottom panel that has visits of nodes counted while it is shown.
+inline constexpr const char* predicted_panel = "PREDICTED";
+
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
 

@@ -264,6 +264,7 @@ void WindowLoop::apply_edit() {
     engine_->set_probes(edit_.hovered, edit_.window.pinned, edit_.window.step);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
     engine_->keep_widths(edit_.window.panels && edit_.window.bottom == divergence_panel);
+    engine_->keep_visits(edit_.window.panels && edit_.window.bottom == predicted_panel);
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
         if (recent_world_ && recent_world_->loaded != world->loaded) edit_.window.pinned.reset();
         recent_world_ = world;

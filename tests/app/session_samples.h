@@ -61,8 +61,9 @@ inline Session unlike_the_default() {
     range_min = -0.1f;
     range_max = 3e38f;
     opacity = 0.25f;
-    auto& [show, depth, planes, boxes, hidden_line, line_opacity] = overlay;
+    auto& [show, colour, depth, planes, boxes, hidden_line, line_opacity] = overlay;
     show = true;
+    colour = CellColour::ratio;
     depth = max_tree_depth;
     planes = boxes = hidden_line = false;
     line_opacity = 0.1f;

@@ -97,7 +97,7 @@ TEST(NodeVisits, AddUpUnderRulesAsPublished) {
 TEST(NodeVisits, AreThoseOfTheRecordedWalksWhateverTheThreads) {
     const Picture picture(test::mirror_scene(150, 3));
     WalkRequest request = picture.request({.traversal = Traversal::restart}, Pass::shade_refl);
-    NodeVisits recorded{std::vector<std::uint64_t>(picture.tree.nodes.size()), 0};
+    NodeVisits recorded{.count = std::vector<std::uint64_t>(picture.tree.nodes.size())};
     std::mutex mutex;
     record_walks(request, [&](const BlockWalks& block) {
         const std::scoped_lock lock(mutex);
@@ -160,7 +160,7 @@ TEST(NodeVisits, AgreementByHand) {
     }
     tree.references = {0, 1};
     tree.bounds = {Vec3(0.0f), Vec3(2.0f, 1.0f, 1.0f)};
-    const NodeVisits visits{{10, 8, 5}, 10};
+    const NodeVisits visits{.count = {10, 8, 5}, .rays = 10};
     EXPECT_EQ(visits.predicted(tree), (std::vector<double>{10, 4, 8}));
     const VisitAgreement agreed = agreement(tree, visits);
     EXPECT_DOUBLE_EQ(agreed.rho, 0.5) << "ranks 3 1 2 against 3 2 1: 1 - 6 (0 + 1 + 1) / (3 * 8)";
