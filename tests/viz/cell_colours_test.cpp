@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "renderer/geometry/input_error.h"
 #include "tests/viz/golden.h"
 #include "tests/viz/synthetic.h"
 #include "viz/figure.h"
