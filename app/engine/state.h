@@ -8,11 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "app/engine/cell_costs.h"
 #include "app/engine/convergence.h"
 #include "app/engine/duel.h"
 #include "app/engine/paper.h"
 #include "app/engine/pixel.h"
+#include "app/engine/plane_effect.h"
+#include "app/engine/selection.h"
 #include "app/engine/stability.h"
+#include "app/engine/tree_view.h"
 #include "app/engine/visits.h"
 #include "app/engine/widths.h"
 #include "app/engine/world.h"
@@ -44,6 +48,7 @@ struct TracedFrame {
     std::vector<std::string> left_out;                // a line for each part that this tracer did without
     std::uint64_t generation = 0;                     // EngineState::generation that it answers
     UnfinishedPixels unfinished;                      // of the frame's own pixels
+    std::array<CounterTotals, pass_count> totals;     // of all pixels where `scale` is 1, else zeros
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
     /// Of the nodes of `world` by the rays of this frame, or of one before it; null where none were counted.
     std::shared_ptr<const NodeVisits> visits = {};
@@ -157,8 +162,13 @@ struct EngineState {
     std::optional<PixelReading> hovered, pinned;
     /// Cells that the ray of the pinned or hovered pixel meets, while splits are shown; Session::width x height.
     std::vector<ScreenLine> ray_cells;
-    std::optional<StepReading> step;  // along the pinned pixel's ray
-    std::vector<Message> messages;    // newest last
+    std::optional<StepReading> step;        // along the pinned pixel's ray
+    std::optional<NodeSelection> selected;  // of `world`
+    std::optional<HitSelection> hit;        // of the pinned pixel's primary ray; nothing where it hit none
+    CellState cell;                         // costs of the planes of a node selected
+    PlaneEffect plane_effect;
+    TreeViewState tree_view;
+    std::vector<Message> messages;  // newest last
     double last_build_ms = 0;
 
     /// The picture is not yet (all of) what the session asks for.
