@@ -66,6 +66,8 @@ std::vector<NamedValue<Pass>> rays() {
     return choices;
 }
 
+std::vector<NamedValue<int>> axes() { return {{"x", 0}, {"y", 1}, {"z", 2}}; }
+
 }  // namespace choices
 
 }  // namespace kd

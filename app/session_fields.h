@@ -15,6 +15,13 @@ void visit_camera(Visitor& v, AnyCamera& c) {
     v.number("fov", c.fov_y_degrees, limits::fov);
 }
 
+template <class Visitor, class AnyHandSplit>
+void visit_hand_split(Visitor& v, AnyHandSplit& s) {
+    v.text("path", s.path);
+    v.choice("axis", s.axis, choices::axes());
+    v.number("position", s.position, limits::any_number);
+}
+
 template <class Visitor, class AnyBuildConfig>
 void visit_build(Visitor& v, AnyBuildConfig& b) {
     v.choice("builder", b.builder, choices::builders());
@@ -29,6 +36,7 @@ void visit_build(Visitor& v, AnyBuildConfig& b) {
     v.number("reference_cap", b.reference_cap, limits::reference_cap);
     v.number("bins", b.bins, limits::bins);
     v.flag("trim_leaves", b.trim_leaves);
+    v.hand_splits("by_hand", b.by_hand);
 }
 
 template <class Visitor, class AnyViewConfig>

@@ -26,8 +26,9 @@ namespace kd {
 
 /// Of a session from a file, until its scene is there.
 struct OpenedSession {
-    std::optional<Camera> camera;  // in scene units, which only the scene tells
-    Session before;                // to go back to
+    std::optional<Camera> camera;    // in scene units, which only the scene tells
+    std::vector<HandSplit> by_hand;  // the same
+    Session before;                  // to go back to
     std::string file;
 };
 
@@ -104,7 +105,7 @@ class Engine {
     void fail_load(const std::string& reason);
     void forget_refused();
     [[nodiscard]] std::optional<Camera> usable_camera(const FlatScene& scene, const std::optional<Camera>& asked);
-    void take_opened_camera(const FlatScene& scene);
+    void take_opened_lengths(const FlatScene& scene);
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
     void finish_meantime(std::shared_ptr<const World> world);

@@ -69,7 +69,7 @@ void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
     scene_ = std::move(loaded);
     if (names_gltf(scene_->name)) duels_.forget();  // the file may have changed since it was read before
-    take_opened_camera(scene_->flat);
+    take_opened_lengths(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
     start_build();
 }
@@ -145,7 +145,7 @@ void Engine::start_build() {
 void Engine::finish_build(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
-    if (state_.world->report.reference_cap_hit) say(false, fmt::format("tree: {}", reference_cap_note));
+    for (const std::string& note : build_notes(state_.world->report)) say(false, "tree: " + note);
     trace_generation_ = ++state_.generation;
     start_trace();
 }

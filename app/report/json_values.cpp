@@ -39,6 +39,14 @@ class FieldWriter {
         for (const auto& [name, feature] : choices)
             if (value.has(feature)) json[key].push_back(name);
     }
+    void hand_splits(const char* key, const std::vector<HandSplit>& value) {
+        json[key] = Json::array();
+        for (const HandSplit& split : value) {
+            FieldWriter inner;
+            visit_hand_split(inner, split);
+            json[key].push_back(std::move(inner.json));
+        }
+    }
     /// "automatic", or the ends; only a locked one has the key "locked".
     void value_range(const char* key, const HeatmapConfig& heat) {
         json[key] = heat.range_mode == RangeMode::automatic

@@ -20,19 +20,9 @@ void check_range(std::string_view name, double value, double least, double most)
 }
 
 void check_by_hand(const std::vector<HandSplit>& splits) {
-    for (std::size_t i = 0; i < splits.size(); ++i) {
-        const auto& [path, axis, position] = splits[i];
-        const auto refuse = [&](std::string_view why) {
-            throw InputError(fmt::format("plane by hand at '{}': {}", path, why));
-        };
-        if (path.find_first_not_of({path_below, path_above}) != std::string::npos)
-            refuse("a path is made of b (the child below) and a (the child above)");
-        if (path.size() >= std::size_t(max_tree_depth)) refuse("no tree is that deep");
-        if (axis < 0 || axis > 2) refuse(fmt::format("axis {} is none of 0, 1, 2", axis));
-        if (!std::isfinite(position)) refuse("its position is not finite");
-        for (std::size_t j = 0; j < i; ++j)
-            if (splits[j].path == path) refuse("there is another for the same node");
-    }
+    for (std::size_t i = 0; i < splits.size(); ++i)
+        if (const auto fault = hand_split_fault(splits, i))
+            throw InputError(fmt::format("plane by hand at '{}': {}", splits[i].path, *fault));
 }
 
 void check_config(const BuildConfig& config) {
@@ -88,6 +78,16 @@ const Builder* find_builder(std::string_view name) {
         if (builder.name == name) return &builder;
     }
     return nullptr;
+}
+
+std::vector<std::string> build_notes(const BuildReport& report) {
+    std::vector<std::string> notes;
+    if (report.reference_cap_hit) notes.emplace_back(reference_cap_note);
+    if (report.idle_hand_splits > 0)
+        notes.push_back(
+            fmt::format("{} of {} planes by hand not used: no such node, or the plane is not inside its cell",
+                        report.idle_hand_splits, report.hand_splits));
+    return notes;
 }
 
 int depth_limit(const BuildConfig& config, std::size_t n) {

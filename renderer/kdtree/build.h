@@ -69,12 +69,16 @@ struct BuildReport {
     BuildPhases phases;
     bool reference_cap_hit = false;
     bool depth_limit_hit = false;
-    int idle_hand_splits = 0;  // of BuildConfig::by_hand
+    int hand_splits = 0;       // of BuildConfig::by_hand
+    int idle_hand_splits = 0;  // of these, those that stand nowhere in the tree
 };
 
 /// How whoever has a tree built says that the cap was reached.
 inline constexpr std::string_view reference_cap_note =
     "the limit of references per triangle was reached; some splits were not made";
+
+/// What whoever has a tree built tells people of it, a line each.
+[[nodiscard]] std::vector<std::string> build_notes(const BuildReport& report);
 
 /// Called now and then with the fraction done, 0..1, from the building thread.
 using BuildProgress = std::function<void(float)>;

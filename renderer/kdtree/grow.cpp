@@ -26,7 +26,7 @@ class Grower {
     Grower(const BuildTask& task, const TriangleRanges& ranges, Splitter& splitter)
         : task_(task), splitter_(splitter), chooser_(task.config, splitter), lists_(ranges),
           depth_limit_(depth_limit(task.config, task.triangles.size())) {
-        task.report.idle_hand_splits = int(task.config.by_hand.size());
+        task.report.hand_splits = task.report.idle_hand_splits = int(task.config.by_hand.size());
         tree_.nodes.clear();
         tree_.bounds = ranges.bounds;
         const double allowance = double(task.config.reference_cap) * double(task.triangles.size());

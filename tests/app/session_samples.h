@@ -14,7 +14,7 @@ inline Session unlike_the_default() {
     scene = "rooms";
     seed = 4294967295u;
     auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, max_depth, bad_refines,
-           reference_cap, bins, trim_leaves] = build;
+           reference_cap, bins, trim_leaves, by_hand] = build;
     builder = "binned";
     traversal_cost = 0.1f;
     intersection_cost = 1e6f;
@@ -27,8 +27,9 @@ inline Session unlike_the_default() {
     reference_cap = 1.1f;
     bins = 256;
     trim_leaves = false;
-    auto& [traversal, rules, leaf_lists, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces, contribution,
-           counters, step_budget, forced] = trace;
+    by_hand = {{"", 2, -0.1f}, {"ba", 0, 3e38f}};
+    auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces,
+           contribution, counters, step_budget, forced] = trace;
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
     leaf_lists = LeafLists::duplicated;
@@ -39,6 +40,7 @@ inline Session unlike_the_default() {
     shadows = false;
     bounces = 64;
     contribution = 1.0f / 3;
+    (void)nodes;
     (void)counters;     // neither is a person's choice
     (void)step_budget;  // and neither is in files
     forced = FeatureSet(Feature::textures).with(Feature::exact_products);
