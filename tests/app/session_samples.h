@@ -33,6 +33,7 @@ inline Session unlike_the_default() {
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
     leaf_lists = LeafLists::duplicated;
+    nodes = NodeEncoding::packed;
     short_stack = 8;
     ropes = false;
     eye_leaf = true;
