@@ -41,7 +41,6 @@ inline Session unlike_the_default() {
     shadows = false;
     bounces = 64;
     contribution = 1.0f / 3;
-    (void)nodes;
     (void)counters;     // neither is a person's choice
     (void)step_budget;  // and neither is in files
     forced = FeatureSet(Feature::textures).with(Feature::exact_products);
