@@ -65,6 +65,8 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::switch_bottom(e, "NEEDS"); }},
     {GLFW_KEY_E, plain, "E", see, "error against time, or times",
      [](State, Edit& e) { edits::switch_bottom(e, "ERROR"); }},
+    {GLFW_KEY_P, GLFW_MOD_SHIFT, "Shift P", see, "visits against prediction, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, predicted_panel); }},
     {GLFW_KEY_S, GLFW_MOD_SHIFT, "Shift S", see, "a node's split explored, or times",
      [](State, Edit& e) { edits::switch_bottom(e, splits_panel); }},
     {GLFW_KEY_I, plain, "I", see, "icicle and slice of the tree, or times",
