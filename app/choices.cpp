@@ -1,6 +1,7 @@
 #include "app/choices.h"
 
 #include "renderer/scene/needs.h"
+#include "viz/cell_colours.h"
 #include "viz/colormap.h"
 
 namespace kd {
@@ -60,11 +61,15 @@ std::vector<NamedValue<std::string>> maps() { return names_of(kd::maps()); }
 std::vector<NamedValue<std::string>> colormaps() { return names_of(kd::colormaps()); }
 std::vector<NamedValue<Schedule>> schedules() { return ids_of<Schedule>(kd::schedules()); }
 
+std::vector<NamedValue<CellColour>> cell_colours() { return ids_of<CellColour>(all_cell_colours()); }
+
 std::vector<NamedValue<Pass>> rays() {
     std::vector<NamedValue<Pass>> choices;
     for (int pass = 0; pass < pass_count; ++pass) choices.push_back({option_name(Pass(pass)), Pass(pass)});
     return choices;
 }
+
+std::vector<NamedValue<int>> axes() { return {{"x", 0}, {"y", 1}, {"z", 2}}; }
 
 }  // namespace choices
 

@@ -68,6 +68,8 @@ namespace choices {
 [[nodiscard]] std::vector<NamedValue<std::string>> colormaps();
 [[nodiscard]] std::vector<NamedValue<Pass>> rays();
 [[nodiscard]] std::vector<NamedValue<Schedule>> schedules();
+[[nodiscard]] std::vector<NamedValue<CellColour>> cell_colours();
+[[nodiscard]] std::vector<NamedValue<int>> axes();
 
 }  // namespace choices
 

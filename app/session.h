@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/kdtree/build.h"
@@ -30,7 +31,11 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// The session with its camera in scene units, as people and files have it; here it is in the scene's internal ones.
+/// The session with its camera and its planes by hand in scene units, as people and files have them; here they are in
+/// the scene's internal ones.
 [[nodiscard]] Session in_scene_units(Session session, const FlatScene& scene);
+
+/// Planes in scene units as the scene's tree has them.
+[[nodiscard]] std::vector<HandSplit> to_internal(const FlatScene& scene, std::vector<HandSplit> splits);
 
 }  // namespace kd

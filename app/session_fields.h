@@ -15,6 +15,13 @@ void visit_camera(Visitor& v, AnyCamera& c) {
     v.number("fov", c.fov_y_degrees, limits::fov);
 }
 
+template <class Visitor, class AnyHandSplit>
+void visit_hand_split(Visitor& v, AnyHandSplit& s) {
+    v.text("path", s.path);
+    v.choice("axis", s.axis, choices::axes());
+    v.number("position", s.position, limits::any_number);
+}
+
 template <class Visitor, class AnyBuildConfig>
 void visit_build(Visitor& v, AnyBuildConfig& b) {
     v.choice("builder", b.builder, choices::builders());
@@ -29,6 +36,7 @@ void visit_build(Visitor& v, AnyBuildConfig& b) {
     v.number("reference_cap", b.reference_cap, limits::reference_cap);
     v.number("bins", b.bins, limits::bins);
     v.flag("trim_leaves", b.trim_leaves);
+    v.hand_splits("by_hand", b.by_hand);
 }
 
 template <class Visitor, class AnyViewConfig>
@@ -47,6 +55,7 @@ void visit_view(Visitor& v, AnyViewConfig& view) {
     });
     v.object("overlay", [&](auto& inner) {
         inner.flag("shown", view.overlay.show);
+        inner.choice("colour", view.overlay.colour, choices::cell_colours());
         inner.number("depth", view.overlay.max_depth, limits::depth);
         inner.flag("planes", view.overlay.planes);
         inner.flag("boxes", view.overlay.boxes);

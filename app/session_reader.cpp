@@ -122,6 +122,20 @@ void FieldReader::value_range(const char* key, HeatmapConfig& heat) {
     heat.range_max = ends[1];
 }
 
+void FieldReader::hand_splits(const char* key, std::vector<HandSplit>& value) {
+    const Json* found = find(key);
+    if (!found) return;
+    if (!found->is_array()) refuse_value(*found, key, "a list of planes, [{...}, {...}]");
+    value.clear();
+    for (std::size_t i = 0; i < found->size(); ++i) {
+        const std::string place = fmt::format("{}/{}", key, i);
+        FieldReader inner((*found)[i], place_of(place));
+        visit_hand_split(inner, value.emplace_back());
+        inner.refuse_others();
+        if (const auto fault = hand_split_fault(value, i)) refuse(place, *fault);
+    }
+}
+
 void FieldReader::camera(const char* key, std::optional<Camera>& value) {
     const Json* found = find(key);
     if (!found) return;

@@ -32,6 +32,7 @@ class FieldReader {
     void set(const char* key, FeatureSet& value, const std::vector<NamedValue<Feature>>& choices);
     void value_range(const char* key, HeatmapConfig& heat);
     void camera(const char* key, std::optional<Camera>& value);
+    void hand_splits(const char* key, std::vector<HandSplit>& value);
     template <class Visit>
     void object(const char* key, const Visit& visit) {
         const Json* found = find(key);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/cli/hand_split_option.h"
 #include "app/cli/typed_options.h"
 #include "app/scenes.h"
 #include "app/session_file.h"
@@ -134,6 +135,11 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
                    text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number(app, "--reference-cap", build.reference_cap, limits::reference_cap,
                    text("Most leaf references per triangle", build.reference_cap)),
+        add_text_option(app, "--split", "PATH:AXIS:AT",
+                        "A plane put by hand, as often as you like: the node by its path from the root (b: the child "
+                        "below, a: above; nothing: the root), axis x, y or z, position in scene units",
+                        [&build](const std::string& given) { add_hand_split(build.by_hand, given); })
+            ->take_all(),
         add_number(app, "--bins", build.bins, limits::bins, text("Bins on each axis of builder binned", build.bins)),
         app.add_flag_callback(
             "--box-leaves", [&build] { build.trim_leaves = false; },
@@ -263,6 +269,7 @@ Session starting_session(const CLI::App& app, const CommonOptions& options, cons
 
 FlatScene open_scene(const CommonOptions& options, Session& session) {
     FlatScene scene = loaded_scene(options, session);
+    session.build.by_hand = to_internal(scene, std::move(session.build.by_hand));
     Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);
     camera.target = options.camera.target.value_or(camera.target);

@@ -77,8 +77,9 @@ struct WantedMachines {
 [[nodiscard]] Session starting_session(const CLI::App& app, const CommonOptions& options,
                                        const std::vector<std::string>& allowed);
 
-/// Loads the scene of `session`, whose camera is in scene units so far, and gives it the camera asked for. The session
-/// gets a camera where it had one or one was asked for, in internal units. InputError.
+/// Loads the scene of `session`, whose camera and planes by hand are in scene units so far, and gives it the camera
+/// asked for. The session gets a camera where it had one or one was asked for, in internal units as its planes.
+/// InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);
 
 /// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.

@@ -113,9 +113,11 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     bench.session = options.session_for(name);
     check_frame_memory(bench.session.width, bench.session.height);
     bench.scene = open_scene(options, bench.session);
-    bench.tree = build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop);
+    bench.tree =
+        build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop, bench.session.threads);
     check_stop(context);
-    if (bench.build.reference_cap_hit) bench.notes.push_back(fmt::format("{}: tree: {}", name, reference_cap_note));
+    for (const std::string& note : build_notes(bench.build))
+        bench.notes.push_back(fmt::format("{}: tree: {}", name, note));
     note_idle_eye(bench.session, bench.tree, bench.scene.camera.eye, context);
     const auto& [w, h] = std::pair(bench.session.width, bench.session.height);
     bench.camera = pinhole(bench.scene.camera, w, h);

@@ -27,9 +27,10 @@ void Engine::open_session(const std::string& file) {
     for (const auto& loaded : {scene_, state_.world ? state_.world->loaded : nullptr}) {
         if (!loaded || loaded->name != next.scene || loaded->seed != next.seed) continue;
         next.camera = usable_camera(loaded->flat, next.camera);
+        next.build.by_hand = to_internal(loaded->flat, std::move(next.build.by_hand));
         return set_session(next);
     }
-    OpenedSession opened{std::exchange(next.camera, std::nullopt), before, file};
+    OpenedSession opened{std::exchange(next.camera, std::nullopt), std::exchange(next.build.by_hand, {}), before, file};
     set_session(next);
     opened_ = std::move(opened);
 }
@@ -49,9 +50,10 @@ std::optional<Camera> Engine::usable_camera(const FlatScene& scene, const std::o
     return std::nullopt;
 }
 
-void Engine::take_opened_camera(const FlatScene& scene) {
+void Engine::take_opened_lengths(const FlatScene& scene) {
     if (!opened_) return;
     state_.session.camera = usable_camera(scene, opened_->camera);
+    state_.session.build.by_hand = to_internal(scene, std::move(opened_->by_hand));
     opened_.reset();
 }
 

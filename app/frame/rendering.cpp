@@ -8,6 +8,7 @@
 #include "app/report/machine_info.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/frame_walks.h"
+#include "renderer/measure/node_visits.h"
 #include "viz/figure.h"
 
 namespace kd {
@@ -25,9 +26,9 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.scene = open_scene(options, r.session);
     r.session.camera = r.scene.camera;
     const Session& s = r.session;
-    r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop);
+    r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop, s.threads);
     check_stop(context);
-    if (r.build.reference_cap_hit) context.err << fmt::format("kdscope: note: tree: {}\n", reference_cap_note);
+    for (const std::string& note : build_notes(r.build)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
     note_idle_eye(s, r.tree, r.scene.camera.eye, context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.facts = scene_facts(r.scene, r.tree);
@@ -52,18 +53,23 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
                                show("comparing with double precision"));
         if (!r.judged) throw Interrupted();
     }
+    const MapConfig& map = s.view.map;
+    const WalkRequest walks{.scene = r.scene,
+                            .tree = r.tree,
+                            .config = s.trace,
+                            .camera = camera,
+                            .width = s.width,
+                            .height = s.height,
+                            .rays = map.rays,
+                            .threads = s.threads};
     if (needs_walks(s.view)) {
-        const MapConfig& map = s.view.map;
-        r.walks = walk_frame({.scene = r.scene,
-                              .tree = r.tree,
-                              .config = s.trace,
-                              .camera = camera,
-                              .width = s.width,
-                              .height = s.height,
-                              .rays = map.rays,
-                              .threads = s.threads},
-                             map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
+        r.walks =
+            walk_frame(walks, map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
         if (!r.walks) throw Interrupted();
+    }
+    if (needs_visits(s.view)) {
+        r.visits = count_node_visits(walks, context.stop, show("counting visits"));
+        if (!r.visits) throw Interrupted();
     }
     return r;
 }

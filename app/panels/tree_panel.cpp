@@ -63,7 +63,7 @@ void draw_more_constants(BuildConfig& b, const EngineState& state) {
 void draw_presets(BuildConfig& b) {
     widgets::begin_row("constants", "All of the builder's constants at once.");
     const float half = (widgets::control_width() - ImGui::GetStyle().ItemSpacing.x) / 2;
-    const BuildConfig start{.builder = b.builder};
+    const BuildConfig start{.builder = b.builder, .by_hand = b.by_hand};
     const BuildConfig paper = edits::papers_rules(start);
     const auto preset = [&](const char* label, const BuildConfig& wanted, std::string_view tooltip) {
         if (widgets::button(label, b == wanted ? "The constants are these." : tooltip, b != wanted, half)) b = wanted;
@@ -94,7 +94,7 @@ void draw_statistics(const EngineState& state) {
     widgets::value("memory", fmt::format("{} kB", number_text(double(s.node_bytes + s.reference_list_bytes) / 1024)),
                    "Nodes at 16 bytes, leaf lists, and the triangles once.");
     widgets::value("built in", fmt::format("{} ms", number_text(state.last_build_ms)),
-                   "Wall clock of the build, one thread.");
+                   "Wall clock of the build, on all threads.");
 }
 
 }  // namespace

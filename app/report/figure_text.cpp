@@ -21,13 +21,14 @@ std::string changed(const char* name, const Value& value, const Value& otherwise
 std::string tree_text(const BuildConfig& b) {
     const BuildConfig start;
     const Builder* builder = find_builder(b.builder);
-    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{})", b.builder, b.traversal_cost,
+    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{}{})", b.builder, b.traversal_cost,
                        b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
                        builder && builder->has_bins ? fmt::format(", {} bins", b.bins) : "",
                        b.trim_leaves ? "" : ", box leaves", changed("max depth", b.max_depth, start.max_depth),
                        changed("empty parts cut off from", b.empty_cut, start.empty_cut),
                        changed("bad refines", b.bad_refines, start.bad_refines),
-                       changed("reference cap", b.reference_cap, start.reference_cap));
+                       changed("reference cap", b.reference_cap, start.reference_cap),
+                       changed("planes by hand", b.by_hand.size(), start.by_hand.size()));
 }
 
 std::string camera_words(const Camera& c) {

@@ -40,6 +40,14 @@ class FieldWriter {
         for (const auto& [name, feature] : choices)
             if (value.has(feature)) json[key].push_back(name);
     }
+    void hand_splits(const char* key, const std::vector<HandSplit>& value) {
+        json[key] = Json::array();
+        for (const HandSplit& split : value) {
+            FieldWriter inner;
+            visit_hand_split(inner, split);
+            json[key].push_back(std::move(inner.json));
+        }
+    }
     /// "automatic", or the ends; only a locked one has the key "locked".
     void value_range(const char* key, const HeatmapConfig& heat) {
         json[key] = heat.range_mode == RangeMode::automatic
@@ -135,8 +143,16 @@ Json json_of(const TreeStats& s) {
             {"expected_leaf_visits", s.expected_leaf_visits},
             {"expected_triangle_tests", s.expected_triangle_tests},
             {"node_bytes", s.node_bytes},
+            {"packed_node_bytes", s.packed_node_bytes},
             {"reference_list_bytes", s.reference_list_bytes},
             {"duplicated_list_bytes", s.duplicated_list_bytes}};
+}
+
+Json json_of(const BuildPhases& phases) {
+    return {{"prepare_ms", 1e3 * phases.prepare},
+            {"choose_ms", 1e3 * phases.choose},
+            {"divide_ms", 1e3 * phases.divide},
+            {"leaves_ms", 1e3 * phases.leaves}};
 }
 
 Json json_of(const CounterTotals& c) {

@@ -7,11 +7,16 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/builders.h"
+#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sweep_events.h"
 
 namespace kd {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 void check_range(std::string_view name, double value, double least, double most) {
     if (value >= least && value <= most) return;  // false for NaN
@@ -19,19 +24,9 @@ void check_range(std::string_view name, double value, double least, double most)
 }
 
 void check_by_hand(const std::vector<HandSplit>& splits) {
-    for (std::size_t i = 0; i < splits.size(); ++i) {
-        const auto& [path, axis, position] = splits[i];
-        const auto refuse = [&](std::string_view why) {
-            throw InputError(fmt::format("plane by hand at '{}': {}", path, why));
-        };
-        if (path.find_first_not_of({path_below, path_above}) != std::string::npos)
-            refuse("a path is made of b (the child below) and a (the child above)");
-        if (path.size() >= std::size_t(max_tree_depth)) refuse("no tree is that deep");
-        if (axis < 0 || axis > 2) refuse(fmt::format("axis {} is none of 0, 1, 2", axis));
-        if (!std::isfinite(position)) refuse("its position is not finite");
-        for (std::size_t j = 0; j < i; ++j)
-            if (splits[j].path == path) refuse("there is another for the same node");
-    }
+    for (std::size_t i = 0; i < splits.size(); ++i)
+        if (const auto fault = hand_split_fault(splits, i))
+            throw InputError(fmt::format("plane by hand at '{}': {}", splits[i].path, *fault));
 }
 
 void check_config(const BuildConfig& config) {
@@ -89,6 +84,16 @@ const Builder* find_builder(std::string_view name) {
     return nullptr;
 }
 
+std::vector<std::string> build_notes(const BuildReport& report) {
+    std::vector<std::string> notes;
+    if (report.reference_cap_hit) notes.emplace_back(reference_cap_note);
+    if (report.idle_hand_splits > 0)
+        notes.push_back(
+            fmt::format("{} of {} planes by hand not used: no such node, or the plane is not inside its cell",
+                        report.idle_hand_splits, report.hand_splits));
+    return notes;
+}
+
 int depth_limit(const BuildConfig& config, std::size_t n) {
     if (config.max_depth > 0) return std::min(config.max_depth, max_tree_depth);
     const double depth = 8.0 + 1.6 * std::log2(double(std::max<std::size_t>(n, 1)));
@@ -96,8 +101,8 @@ int depth_limit(const BuildConfig& config, std::size_t n) {
 }
 
 KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report,
-                  const BuildProgress& progress, std::stop_token stop) {
-    const auto begin = std::chrono::steady_clock::now();
+                  const BuildProgress& progress, std::stop_token stop, int threads) {
+    const auto begin = Clock::now();
     const Builder& builder = named_builder(config.builder);
     check_config(config);
     check_triangles(triangles);
@@ -105,8 +110,12 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     BuildReport own_report;
     BuildReport& told = report ? *report : own_report;
     told = BuildReport{};
-    KdTree tree = builder.build({triangles, config, told, progress, std::move(stop)});
-    told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const BuildTask task{triangles, config, told, progress, std::move(stop), threads};
+    const TriangleRanges ranges(triangles);
+    std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
+    told.phases.prepare = seconds_since(begin);
+    KdTree tree = grow_tree(task, ranges, std::move(splitter));
+    told.seconds = seconds_since(begin);
     return tree;
 }
 

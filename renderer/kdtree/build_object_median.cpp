@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "renderer/kdtree/builders.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
@@ -26,6 +26,8 @@ class MedianSplitter : public Splitter {
         }
         return std::nullopt;
     }
+
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override { return std::make_unique<MedianSplitter>(*this); }
 
   private:
     const BuildConfig& config_;
@@ -52,7 +54,7 @@ class MedianSplitter : public Splitter {
 Builder object_median_builder() {
     return {"object-median", "Object median",
             "Splits every cell across its longest axis so that as many triangles lie on either side.",
-            grow_with<MedianSplitter>};
+            make_splitter<MedianSplitter>};
 }
 
 }  // namespace kd

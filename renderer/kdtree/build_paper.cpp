@@ -7,35 +7,21 @@
 // the ones of Pharr & Humphreys, "Physically Based Rendering".
 
 #include "renderer/kdtree/builders.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
 namespace {
 
-/// How the axes after the longest are tried.
-enum class Cycle { all_of_them, until_one_serves };
-
 class PaperSplitter : public Splitter {
   public:
-    PaperSplitter(const BuildTask& task, const TriangleRanges& ranges, Cycle cycle)
-        : config_(task.config), cycle_(cycle), events_(ranges, task.stop) {}
+    PaperSplitter(const BuildTask& task, const TriangleRanges& ranges, AxisOrder order)
+        : config_(task.config), order_(order), events_(ranges, task.stop, task.threads) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
-        const int triangles = int(lists.top().size());
-        const double leaf = leaf_cost(config_, triangles);
-        const int first_axis = longest_axis(cell);
-        std::optional<PricedSplit> best;
-        for (int i = 0; i < 3; ++i) {
-            const int axis = (first_axis + i) % 3;
-            const auto split = cheapest_split(config_, cell, axis, triangles, events_.top(axis));
-            if (split && (!best || split->cost < best->cost)) best = split;
-            if ((i == 0 || cycle_ == Cycle::until_one_serves) && best && best->cost < leaf) break;
-        }
-        if (!best) return std::nullopt;
-        best->bad = !(best->cost < leaf);
-        return *best;
+        return cheapest_split(config_, cell, int(lists.top().size()), {events_.top(0), events_.top(1), events_.top(2)},
+                              order_);
     }
 
     void divide(const Aabb&, const Split& split, CellLists& lists) override {
@@ -45,9 +31,16 @@ class PaperSplitter : public Splitter {
 
     void dropped() override { events_.drop(); }
 
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
+        return std::unique_ptr<Splitter>(new PaperSplitter(config_, order_, events_.take_top()));
+    }
+
   private:
+    PaperSplitter(const BuildConfig& config, AxisOrder order, SweepEvents events)
+        : config_(config), order_(order), events_(std::move(events)) {}
+
     const BuildConfig& config_;
-    Cycle cycle_;
+    AxisOrder order_;
     SweepEvents events_;
 };
 
@@ -57,14 +50,14 @@ Builder paper_builder() {
     return {
         "paper", "SAH as in the paper",
         "Surface area heuristic over the ends of triangle projections, longest axis first, else the cheapest of all.",
-        grow_with<PaperSplitter, Cycle::all_of_them>};
+        make_splitter<PaperSplitter, AxisOrder::all_if_longest_fails>};
 }
 
 Builder paper_cycle_builder() {
     return {"paper-cycle", "SAH as in the paper, other reading",
             "Surface area heuristic over the ends of triangle projections, on the first axis that serves from the "
             "longest on.",
-            grow_with<PaperSplitter, Cycle::until_one_serves>};
+            make_splitter<PaperSplitter, AxisOrder::until_one_serves>};
 }
 
 }  // namespace kd

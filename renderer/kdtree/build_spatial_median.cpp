@@ -1,8 +1,8 @@
 // The simplest builder: every cell is halved across its longest axis, until that has not paid off too often.
 
 #include "renderer/kdtree/builders.h"
-#include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/splitter.h"
 
 namespace kd {
 
@@ -18,6 +18,8 @@ class MiddleSplitter : public Splitter {
         return judged_split(config_, cell, lists, axis, 0.5f * cell.lower[axis] + 0.5f * cell.upper[axis]);
     }
 
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override { return std::make_unique<MiddleSplitter>(*this); }
+
   private:
     const BuildConfig& config_;
 };
@@ -26,7 +28,7 @@ class MiddleSplitter : public Splitter {
 
 Builder spatial_median_builder() {
     return {"spatial-median", "Spatial median", "Halves every cell across its longest axis.",
-            grow_with<MiddleSplitter>};
+            make_splitter<MiddleSplitter>};
 }
 
 }  // namespace kd

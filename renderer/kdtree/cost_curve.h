@@ -21,26 +21,28 @@ struct SplitCandidate {
     double cost = 0;           // in units of one traversal step, the bonus for empty space included
 };
 
-/// Where one builder would cut the cell.
+/// Where one builder would cut the cell: its first choice, before limits of depth, references and bad refines say that
+/// the cell becomes a leaf all the same, and without planes by hand.
 struct BuilderChoice {
     std::string_view builder;
-    std::optional<Split> split;  // nothing: it makes a leaf
-    double cost = 0;             // of that split by the surface area heuristic, or of the leaf
+    std::optional<Split> split;  // nothing: it makes a leaf; triangles counted as that builder counts them
+    double cost = 0;             // of that plane as on the curves, or of the leaf
 };
 
 struct CellCosts {
     int node = 0;
     int depth = 0;
     Aabb cell;
-    std::vector<std::int32_t> triangles;  // numbers of those in the leaves below, ascending
-    double leaf_cost = 0;
+    std::vector<std::int32_t> triangles;                // numbers of those in the leaves below, ascending
+    double leaf_cost = 0;                               // of all of them, in units of one traversal step
     std::array<std::vector<SplitCandidate>, 3> curves;  // by axis, by ascending position, without repetition
-    std::optional<Split> chosen;                        // the tree's own; nothing at a leaf
+    std::optional<Split> chosen;                        // the tree's own, counted as on the curves; nothing at a leaf
     double chosen_cost = 0;                             // of that, or of the leaf
     std::vector<BuilderChoice> choices;                 // of every builder, with the constants of `config`
 };
 
-/// For any node of a tree that was built from these triangles with `config`. A stop request leaves parts out.
+/// For any node of a tree that was built from these triangles with `config`. A cell without a surface has no curves and
+/// no choices. A stop request leaves parts out.
 [[nodiscard]] CellCosts cell_costs(std::span<const Triangle> triangles, const KdTree& tree, int node,
                                    const BuildConfig& config, std::stop_token stop = {});
 

@@ -1,10 +1,24 @@
 #include "renderer/kdtree/hand_split.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 #include "renderer/kdtree/tree.h"
 
 namespace kd {
+
+std::optional<std::string> hand_split_fault(std::span<const HandSplit> splits, std::size_t which) {
+    const auto& [path, axis, position] = splits[which];
+    if (path.find_first_not_of({path_below, path_above}) != std::string::npos)
+        return "a path is made of b (the child below) and a (the child above)";
+    if (path.size() >= std::size_t(max_tree_depth)) return fmt::format("no tree is {} levels deep", path.size() + 1);
+    if (axis < 0 || axis > 2) return fmt::format("axis {} is none of 0, 1, 2", axis);
+    if (!std::isfinite(position)) return "its position is not finite";
+    const auto before = splits.first(which);
+    if (std::ranges::find(before, path, &HandSplit::path) != before.end()) return "there is another for the same node";
+    return std::nullopt;
+}
 
 std::string node_path(const KdTree& tree, int node) {
     std::string path;

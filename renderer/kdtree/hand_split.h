@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,10 @@ struct HandSplit {
 
     bool operator==(const HandSplit&) const = default;
 };
+
+/// What is wrong with one of these, whatever the tree: "axis 3 is none of 0, 1, 2"; of two for one node it is the
+/// second. Nothing where it can be used.
+[[nodiscard]] std::optional<std::string> hand_split_fault(std::span<const HandSplit> splits, std::size_t which);
 
 /// The path from the root to a node.
 [[nodiscard]] std::string node_path(const KdTree& tree, int node);

@@ -1,7 +1,5 @@
 #include "renderer/kdtree/sah.h"
 
-#include "renderer/kdtree/grow.h"
-
 namespace kd {
 
 SplitCost::SplitCost(const BuildConfig& config, const Aabb& cell, int axis)
@@ -26,54 +24,50 @@ std::optional<Split> judged_split(const BuildConfig& config, const Aabb& cell, c
     return split;
 }
 
-std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis, int triangles,
-                                          std::span<const SweepEvent> events) {
+namespace {
+
+/// Puts the axis' cheapest plane in the place of a dearer one.
+void improve(PricedSplit& best, const BuildConfig& config, const Aabb& cell, int axis, int triangles,
+             std::span<const SweepEvent> events) {
     const SplitCost cost_of(config, cell, axis);
-    const float lower = cell.lower[axis];
-    const float upper = cell.upper[axis];
-    PricedSplit best{{.axis = axis}, std::numeric_limits<double>::infinity()};
     const auto consider = [&](float position, int below, int above, bool planar_below) {
         const double cost = cost_of(position, below, above);
         if (cost < best.cost) best = {{axis, position, planar_below, below, above, false}, cost};
     };
+    sweep_planes(cell.lower[axis], cell.upper[axis], triangles, events,
+                 [&](float position, int below, int planar, int above) {
+                     consider(position, below + planar, above, true);
+                     if (planar > 0) consider(position, below, above + planar, false);
+                 });
+}
 
-    // Triangles whose start is not listed begin at or before the lower face.
-    int below = triangles;
-    for (const SweepEvent& event : events) below -= event.kind() != SweepEvent::end;
-    int above = triangles;
+}  // namespace
 
-    // Sweep the plane upwards, one position at a time. `below` counts triangles that reach below the plane, `above`
-    // those that reach above it; triangles lying in it are in neither.
-    for (std::size_t i = 0; i < events.size();) {
-        const float position = events[i].position;
-        int at_plane[3] = {0, 0, 0};
-        do ++at_plane[events[i].kind()];
-        while (++i < events.size() && events[i].position == position);
-
-        const int planar = at_plane[SweepEvent::planar];
-        above -= at_plane[SweepEvent::end] + planar;
-        if (position > lower && position < upper) {
-            consider(position, below + planar, above, true);
-            if (planar > 0) consider(position, below, above + planar, false);
-        }
-        below += at_plane[SweepEvent::start] + planar;
+std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
+                                          const CellEvents& events, AxisOrder order) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double leaf = leaf_cost(config, triangles);
+    const int first_axis = longest_axis(cell);
+    PricedSplit best{{}, none};
+    for (int i = 0; i < 3; ++i) {
+        const int axis = (first_axis + i) % 3;
+        improve(best, config, cell, axis, triangles, events[std::size_t(axis)]);
+        const bool may_end =
+            order == AxisOrder::until_one_serves || (order == AxisOrder::all_if_longest_fails && i == 0);
+        if (may_end && best.cost < leaf) break;
     }
-    if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
+    if (best.cost == none) return std::nullopt;
+    best.bad = !(best.cost < leaf);
     return best;
 }
 
-std::optional<Split> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
-                                    const std::array<std::span<const SweepEvent>, 3>& events) {
-    const int first_axis = longest_axis(cell);
-    std::optional<PricedSplit> best;
-    for (int i = 0; i < 3; ++i) {
-        const int axis = (first_axis + i) % 3;
-        const auto split = cheapest_split(config, cell, axis, triangles, events[std::size_t(axis)]);
-        if (split && (!best || split->cost < best->cost)) best = split;
+int longest_axis(const Aabb& box) {
+    const glm::dvec3 extent = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+        if (extent[a] > extent[axis]) axis = a;
     }
-    if (!best) return std::nullopt;
-    best->bad = !(best->cost < leaf_cost(config, triangles));
-    return *best;
+    return axis;
 }
 
 }  // namespace kd

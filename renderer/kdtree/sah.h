@@ -42,18 +42,53 @@ class SplitCost {
 [[nodiscard]] std::optional<Split> judged_split(const BuildConfig& config, const Aabb& cell, const CellLists& lists,
                                                 int axis, float position);
 
+/// Sweeps a plane upwards over the events of a cell with `triangles` triangles on one axis, and calls
+/// `visit(position, below, planar, above)` once for each position strictly between `lower` and `upper`: how many
+/// triangles reach below the plane, lie in it, and reach above it.
+template <class Visit>
+void sweep_planes(float lower, float upper, int triangles, std::span<const SweepEvent> events, Visit visit) {
+    // Triangles whose start is not listed begin at or before the lower face.
+    int below = triangles;
+    for (const SweepEvent& event : events) below -= event.kind() != SweepEvent::end;
+    int above = triangles;
+    for (std::size_t i = 0; i < events.size();) {
+        const float position = events[i].position;
+        // By sums, not by a table of three: a store and a load per event would take longer than all the rest.
+        const std::size_t first = i;
+        int ends = 0, planar = 0;
+        do {
+            ends += events[i].kind() == SweepEvent::end;
+            planar += events[i].kind() == SweepEvent::planar;
+        } while (++i < events.size() && events[i].position == position);
+
+        above -= ends + planar;
+        if (position > lower && position < upper) visit(position, below, planar, above);
+        below += int(i - first) - ends;
+    }
+}
+
 /// A split with its cost.
 struct PricedSplit : Split {
     double cost = 0.0;
 };
 
-/// The cheapest split of a cell with `triangles` triangles at an event strictly inside it; the lowest one of equals.
-/// Triangles lying in the plane go where they cost less.
-[[nodiscard]] std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int axis,
-                                                        int triangles, std::span<const SweepEvent> events);
+/// Events of a cell by axis.
+using CellEvents = std::array<std::span<const SweepEvent>, 3>;
 
-/// The cheapest of all axes, bad where it costs no less than a leaf; of equals the one across the longest axis.
-[[nodiscard]] std::optional<Split> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
-                                                  const std::array<std::span<const SweepEvent>, 3>& events);
+/// The axes that cheapest_split() looks at, from the longest on.
+enum class AxisOrder {
+    all,                   // each of them
+    all_if_longest_fails,  // the others only where no plane across the longest costs less than a leaf
+    until_one_serves,      // none after one where a plane costs less than a leaf
+};
+
+/// The cheapest split of a cell with `triangles` triangles at an event strictly inside it, bad where it costs no less
+/// than a leaf. Triangles lying in the plane go where they cost less. Of equals the one across the longest axis, and
+/// there the lowest.
+[[nodiscard]] std::optional<PricedSplit> cheapest_split(const BuildConfig& config, const Aabb& cell, int triangles,
+                                                        const CellEvents& events, AxisOrder order = AxisOrder::all);
+
+/// Axis along which the box is longest; the first of equals.
+[[nodiscard]] int longest_axis(const Aabb& box);
 
 }  // namespace kd

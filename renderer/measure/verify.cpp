@@ -158,9 +158,10 @@ class Verification {
         BuildConfig build = build_;
         build.builder = builder;
         BuildReport built;
-        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_);
+        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_, config_.threads);
         check_stop();
-        if (built.reference_cap_hit) report_.notes.push_back(fmt::format("{}: {}", builder, reference_cap_note));
+        for (const std::string& note : build_notes(built))
+            report_.notes.push_back(fmt::format("{}: {}", builder, note));
         for (const Violation& violation : validate(tree, scene_.triangles))
             report_.violations.push_back(fmt::format("{}: node {}: {}", builder, violation.node, violation.message));
         ++done_;

@@ -14,7 +14,7 @@ inline Session unlike_the_default() {
     scene = "rooms";
     seed = 4294967295u;
     auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, max_depth, bad_refines,
-           reference_cap, bins, trim_leaves] = build;
+           reference_cap, bins, trim_leaves, by_hand] = build;
     builder = "binned";
     traversal_cost = 0.1f;
     intersection_cost = 1e6f;
@@ -27,6 +27,7 @@ inline Session unlike_the_default() {
     reference_cap = 1.1f;
     bins = 256;
     trim_leaves = false;
+    by_hand = {{"", 2, -0.1f}, {"ba", 0, 3e38f}};
     auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces,
            contribution, counters, step_budget, forced] = trace;
     traversal = Traversal::short_stack;
@@ -62,8 +63,9 @@ inline Session unlike_the_default() {
     range_min = -0.1f;
     range_max = 3e38f;
     opacity = 0.25f;
-    auto& [show, depth, planes, boxes, hidden_line, line_opacity] = overlay;
+    auto& [show, colour, depth, planes, boxes, hidden_line, line_opacity] = overlay;
     show = true;
+    colour = CellColour::ratio;
     depth = max_tree_depth;
     planes = boxes = hidden_line = false;
     line_opacity = 0.1f;

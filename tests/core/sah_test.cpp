@@ -37,7 +37,7 @@ TEST(Sah, SweepCountsBothSides) {
     const Aabb cell{Vec3(0.0f), Vec3(4.0f, 1.0f, 1.0f)};
     const std::vector<SweepEvent> events{event(1, 0, SweepEvent::end), event(1, 1, SweepEvent::start),
                                          event(2, 2, SweepEvent::start), event(3, 1, SweepEvent::end)};
-    const auto split = cheapest_split(BuildConfig{}, cell, 0, 3, events);
+    const auto split = cheapest_split(BuildConfig{}, cell, 3, {events, {}, {}});
     ASSERT_TRUE(split);
     // Areas: cell 18; at 1: 6 and 14 with 1 and 2 triangles.
     EXPECT_EQ(split->position, 1.0f);
@@ -50,14 +50,14 @@ TEST(Sah, PlanarTrianglesGoWhereTheyCostLess) {
     // Triangle 0 lies in x = 1, triangle 1 spans [1, 3] of a cell of width 3 (areas 14, and 6 and 10 at x = 1).
     const Aabb cell{Vec3(0.0f), Vec3(3.0f, 1.0f, 1.0f)};
     const std::vector<SweepEvent> events{event(1, 0, SweepEvent::planar), event(1, 1, SweepEvent::start)};
-    const auto plain = cheapest_split(BuildConfig{.empty_bonus = 0.0f}, cell, 0, 2, events);
+    const auto plain = cheapest_split(BuildConfig{.empty_bonus = 0.0f}, cell, 2, {events, {}, {}});
     ASSERT_TRUE(plain);
     EXPECT_TRUE(plain->planar_below);
     EXPECT_EQ(plain->below, 1);
     EXPECT_EQ(plain->above, 1);
     EXPECT_DOUBLE_EQ(plain->cost, 1.0 + 1.5 * 16.0 / 14.0);
 
-    const auto carved = cheapest_split(BuildConfig{.empty_bonus = 0.5f}, cell, 0, 2, events);
+    const auto carved = cheapest_split(BuildConfig{.empty_bonus = 0.5f}, cell, 2, {events, {}, {}});
     ASSERT_TRUE(carved);
     EXPECT_FALSE(carved->planar_below) << "leaving the lower side empty earns the bonus";
     EXPECT_EQ(carved->below, 0);
@@ -68,8 +68,8 @@ TEST(Sah, PlanarTrianglesGoWhereTheyCostLess) {
 TEST(Sah, CandidatesOnFacesAreNone) {
     const Aabb cell{Vec3(0.0f), Vec3(1.0f)};
     const std::vector<SweepEvent> events{event(0, 0, SweepEvent::planar), event(1, 1, SweepEvent::planar)};
-    EXPECT_FALSE(cheapest_split(BuildConfig{}, cell, 0, 2, events));
-    EXPECT_FALSE(cheapest_split(BuildConfig{}, cell, 0, 2, {}));
+    EXPECT_FALSE(cheapest_split(BuildConfig{}, cell, 2, {events, {}, {}}));
+    EXPECT_FALSE(cheapest_split(BuildConfig{}, cell, 0, {}));
 }
 
 TEST(PaperBuilder, TwoTrianglesWithAGap) {

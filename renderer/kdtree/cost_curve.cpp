@@ -1,0 +1,143 @@
+#include "renderer/kdtree/cost_curve.h"
+
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+
+#include "renderer/kdtree/clip.h"
+#include "renderer/kdtree/replay.h"
+#include "renderer/kdtree/sah.h"
+#include "renderer/kdtree/sweep_events.h"
+
+namespace kd {
+
+namespace {
+
+/// The node behind the last one of a node's subtree: nodes stand in depth-first order.
+int subtree_end(const KdTree& tree, int node) {
+    while (!tree.nodes[std::size_t(node)].is_leaf()) node = tree.nodes[std::size_t(node)].link;
+    return node + 1;
+}
+
+std::vector<std::int32_t> triangles_below(const KdTree& tree, int node) {
+    std::vector<std::int32_t> numbers;
+    for (int i = node; i < subtree_end(tree, node); ++i) {
+        const TreeNode& n = tree.nodes[std::size_t(i)];
+        if (!n.is_leaf()) continue;
+        const auto first = tree.references.begin() + n.link;
+        numbers.insert(numbers.end(), first, first + n.count);
+    }
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+    return numbers;
+}
+
+Aabb common_part(const Aabb& a, const Aabb& b) { return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)}; }
+
+/// The parts of triangles in a cell, and what splits of them cost.
+class CellParts {
+  public:
+    CellParts(const BuildConfig& config, const Aabb& cell, std::span<const Triangle> triangles,
+              const std::vector<std::int32_t>& numbers)
+        : config_(config), cell_(cell) {
+        for (const std::int32_t n : numbers) {
+            const Triangle& triangle = triangles[std::size_t(n)];
+            boxes_.push_back(clipped_bounds(triangle, cell, common_part(bounds_of(triangle), cell)));
+        }
+    }
+
+    [[nodiscard]] std::vector<SplitCandidate> curve(int axis) const {
+        std::vector<SweepEvent> events;
+        const AxisRange extent{cell_.lower[axis], cell_.upper[axis]};
+        for (std::size_t i = 0; i < boxes_.size(); ++i)
+            add_events(events, std::uint32_t(i), {boxes_[i].lower[axis], boxes_[i].upper[axis]}, extent);
+        sort_events(events);
+        std::vector<SplitCandidate> candidates;
+        const SplitCost cost_of(config_, cell_, axis);
+        sweep_planes(extent.lower, extent.upper, int(boxes_.size()), events,
+                     [&](float position, int below, int planar, int above) {
+                         candidates.push_back(cheaper_side(cost_of, position, below, planar, above));
+                     });
+        return candidates;
+    }
+
+    [[nodiscard]] SplitCandidate at(int axis, float position) const {
+        int below = 0, planar = 0, above = 0;
+        for (const Aabb& box : boxes_) {
+            const bool reaches_below = box.lower[axis]<position, reaches_above = box.upper[axis]> position;
+            below += reaches_below;
+            above += reaches_above;
+            planar += !reaches_below && !reaches_above;
+        }
+        return cheaper_side(SplitCost(config_, cell_, axis), position, below, planar, above);
+    }
+
+  private:
+    [[nodiscard]] static SplitCandidate cheaper_side(const SplitCost& cost_of, float position, int below, int planar,
+                                                     int above) {
+        const double cost_below = cost_of(position, below + planar, above);
+        const double cost_above = cost_of(position, below, above + planar);
+        if (cost_above < cost_below) return {position, below, above + planar, cost_above};
+        return {position, below + planar, above, cost_below};
+    }
+
+    const BuildConfig& config_;
+    Aabb cell_;
+    std::vector<Aabb> boxes_;
+};
+
+/// What every builder would do with the cell at the end of `way`, which the builder of `config` went.
+std::vector<BuilderChoice> all_choices(std::span<const Triangle> triangles, const Aabb& bounds, const CellCosts& costs,
+                                       std::vector<WayStep> way, const BuildConfig& config, const CellParts& parts,
+                                       const std::stop_token& stop) {
+    BuildReport report;
+    const BuildProgress no_progress;
+    learn_planar_sides({triangles, config, report, no_progress, stop}, bounds, way);
+    // No other triangle can be in the cell's lists, by whatever box.
+    std::vector<Triangle> near;
+    for (const Triangle& triangle : triangles) {
+        const Aabb common = common_part(bounds_of(triangle), costs.cell);
+        if (glm::all(glm::lessThanEqual(common.lower, common.upper))) near.push_back(triangle);
+    }
+    std::vector<BuilderChoice> choices;
+    BuildConfig own = config;
+    own.by_hand.clear();
+    for (const Builder& builder : builders()) {
+        own.builder = builder.name;
+        const std::optional<Split> split = choice_at_end({near, own, report, no_progress, stop}, bounds, way);
+        if (stop.stop_requested()) break;
+        choices.push_back({builder.name, split, split ? parts.at(split->axis, split->position).cost : costs.leaf_cost});
+    }
+    return choices;
+}
+
+}  // namespace
+
+CellCosts cell_costs(std::span<const Triangle> triangles, const KdTree& tree, int node, const BuildConfig& config,
+                     std::stop_token stop) {
+    CellCosts costs;
+    costs.node = node;
+    costs.triangles = triangles_below(tree, node);
+    costs.leaf_cost = costs.chosen_cost = leaf_cost(config, int(costs.triangles.size()));
+    costs.cell = tree.bounds;
+    const std::vector<WayStep> way = way_to(tree, node);
+    costs.depth = int(way.size());
+    for (const WayStep& step : way)
+        (step.above ? costs.cell.lower : costs.cell.upper)[step.split.axis] = step.split.position;
+    if (!(costs.cell.surface_area() > 0.0)) return costs;
+
+    const CellParts parts(config, costs.cell, triangles, costs.triangles);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (stop.stop_requested()) return costs;
+        costs.curves[std::size_t(axis)] = parts.curve(axis);
+    }
+    if (const TreeNode& n = tree.nodes[std::size_t(node)]; !n.is_leaf()) {
+        const SplitCandidate own = parts.at(n.flag, n.split);
+        costs.chosen = Split{.axis = n.flag, .position = n.split, .below = own.below, .above = own.above};
+        costs.chosen_cost = own.cost;
+    }
+    costs.choices = all_choices(triangles, tree.bounds, costs, way, config, parts, stop);
+    return costs;
+}
+
+}  // namespace kd
