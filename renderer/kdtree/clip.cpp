@@ -43,6 +43,13 @@ Point crossing(const Point& inside, const Point& outside, std::size_t axis, doub
     return point;
 }
 
+/// Whether cut() would keep all of it.
+bool is_whole(const Polygon& polygon, std::size_t axis, double plane, double sign) {
+    bool whole = true;
+    for (std::size_t i = 0; i < polygon.size; ++i) whole &= sign * polygon.vertex[i].at[axis] >= sign * plane;
+    return whole;
+}
+
 /// Keeps what lies at sign * coordinate >= sign * plane, in a polygon of its own: copying them would take most of the
 /// time.
 void cut(const Polygon& polygon, Polygon& kept, std::size_t axis, double plane, double sign) {
@@ -87,6 +94,7 @@ Aabb clipped_bounds(const Triangle& triangle, const Aabb& cell, const Aabb& know
         outside_above[axis] = most > high[axis];
     }
     const auto keep = [&](std::size_t axis, double plane, double sign) {
+        if (is_whole(*polygon, axis, plane, sign)) return;
         cut(*polygon, *room, axis, plane, sign);
         std::swap(polygon, room);
     };
