@@ -1,6 +1,7 @@
 #include "app/choices.h"
 
 #include "renderer/scene/needs.h"
+#include "viz/cell_colours.h"
 #include "viz/colormap.h"
 
 namespace kd {
@@ -10,6 +11,8 @@ std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ?
 std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "working" : "as-published"; }
 
 std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
+
+std::string name_of(NodeEncoding nodes) { return std::to_string(bytes_of(nodes)); }
 
 std::string option_name(Pass rays) {
     std::string name(ray_names[std::size_t(rays)]);
@@ -48,6 +51,7 @@ std::vector<NamedValue<std::string>> names_of(const Table& table) {
 
 std::vector<NamedValue<TracerKind>> tracers() { return named({TracerKind::cpu, TracerKind::gl_fragment}); }
 std::vector<NamedValue<LeafLists>> leaf_lists() { return named({LeafLists::references, LeafLists::duplicated}); }
+std::vector<NamedValue<NodeEncoding>> node_encodings() { return named({NodeEncoding::float4, NodeEncoding::packed}); }
 std::vector<NamedValue<EarlyZ>> early_z() { return named({EarlyZ::working, EarlyZ::as_published}); }
 std::vector<NamedValue<Traversal>> traversals() { return ids_of<Traversal>(kd::traversals()); }
 std::vector<NamedValue<Rules>> rules() { return ids_of<Rules>(all_rules()); }
@@ -56,6 +60,8 @@ std::vector<NamedValue<std::string>> builders() { return names_of(kd::builders()
 std::vector<NamedValue<std::string>> maps() { return names_of(kd::maps()); }
 std::vector<NamedValue<std::string>> colormaps() { return names_of(kd::colormaps()); }
 std::vector<NamedValue<Schedule>> schedules() { return ids_of<Schedule>(kd::schedules()); }
+
+std::vector<NamedValue<CellColour>> cell_colours() { return ids_of<CellColour>(all_cell_colours()); }
 
 std::vector<NamedValue<Pass>> rays() {
     std::vector<NamedValue<Pass>> choices;

@@ -24,6 +24,20 @@ bool cut(double start, double slope, double& begin, double& end) {
     return begin <= end;
 }
 
+/// Keeps what of a convex polygon lies where `inside`, which is linear, is not negative (Sutherland & Hodgman 1974).
+template <class Inside>
+void clip(std::vector<glm::dvec3>& polygon, const Inside& inside) {
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3& a = polygon[i];
+        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
+        const double at_a = inside(a), at_b = inside(b);
+        if (at_a >= 0) kept.push_back(a);
+        if ((at_a < 0) != (at_b < 0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+    polygon.swap(kept);
+}
+
 }  // namespace
 
 Projection::Projection(const PinholeCamera& camera, int width, int height)
@@ -67,6 +81,39 @@ std::optional<Projection::Segment> Projection::project_segment(Vec3 a, Vec3 b, d
                       cut(limit_y * p.z - p.y, limit_y * d.z - d.y, begin, end);
     if (!seen) return std::nullopt;
     return Segment{to_pixels(p + d * begin), to_pixels(p + d * end)};
+}
+
+std::vector<PixelPoint> Projection::project_polygon(std::span<const Vec3> corners) const {
+    std::vector<glm::dvec3> polygon;
+    double deepest = 0;
+    for (const Vec3& corner : corners) {
+        polygon.push_back(to_camera(corner));
+        deepest = std::max(deepest, polygon.back().z);
+    }
+    const double near_depth = near_fraction * deepest;
+    clip(polygon, [&](const glm::dvec3& p) { return p.z - near_depth; });
+    clip(polygon, [](const glm::dvec3& p) { return p.z - p.x; });
+    clip(polygon, [](const glm::dvec3& p) { return p.z + p.x; });
+    clip(polygon, [](const glm::dvec3& p) { return p.z - p.y; });
+    clip(polygon, [](const glm::dvec3& p) { return p.z + p.y; });
+    std::vector<PixelPoint> seen;
+    if (deepest > 0)
+        for (const glm::dvec3& p : polygon) seen.push_back(to_pixels(p));
+    return seen;
+}
+
+std::optional<double> Projection::nearest_on_line(Vec3 start, Vec3 direction, double x, double y) const {
+    const double u = 2 * x / width_ - 1;
+    const double v = 1 - 2 * y / height_;
+    const glm::dvec3 p = to_camera(start);
+    const glm::dvec3 d = to_camera(start + direction) - p;
+    // How far from the ray through the place, at equal depth: linear in s.
+    const glm::dvec2 from(p.x - u * p.z, p.y - v * p.z);
+    const glm::dvec2 slope(d.x - u * d.z, d.y - v * d.z);
+    const double steep = glm::dot(slope, slope);
+    constexpr double flattest = 1e-6;  // of the direction's length: below it the line is a point of the picture
+    if (!(steep > flattest * flattest * glm::dot(d, d))) return std::nullopt;
+    return -glm::dot(from, slope) / steep;
 }
 
 double Projection::depth_at(int x, int y, double t) const {

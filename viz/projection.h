@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "renderer/geometry/shared_types.h"
 
@@ -25,6 +27,15 @@ class Projection {
         PixelPoint a, b;
     };
     [[nodiscard]] std::optional<Segment> project_segment(Vec3 a, Vec3 b, double border = 2) const;
+
+    /// The part of a convex polygon that is in front of the eye and inside the picture; fewer than three points where
+    /// none is.
+    [[nodiscard]] std::vector<PixelPoint> project_polygon(std::span<const Vec3> corners) const;
+
+    /// s of the point start + s * direction that is seen nearest to a place in the picture, in pixels: where the line
+    /// comes nearest to the ray through that place, its distance weighted by depth. Nothing where the line points at
+    /// the eye.
+    [[nodiscard]] std::optional<double> nearest_on_line(Vec3 start, Vec3 direction, double x, double y) const;
 
     /// Depth along the viewing axis of the point at distance t on the camera's ray through the centre of a pixel.
     [[nodiscard]] double depth_at(int x, int y, double t) const;

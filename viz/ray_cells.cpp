@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "viz/overlay.h"
-#include "viz/projection.h"
 #include "viz/tree_lines.h"
 
 namespace kd {
@@ -81,37 +80,10 @@ std::vector<WorldLine> lines_along_ray(const KdTree& tree, const Ray& ray, float
 
 namespace {
 
-/// The cell of a node, from the planes above it.
-Cell cell_of(const KdTree& tree, int node) {
-    Cell cell{node, 0, tree.bounds};
-    for (int child = node; child > 0; ++cell.depth) {
-        const int parent = tree.nodes[std::size_t(child)].parent;
-        const TreeNode& n = tree.nodes[std::size_t(parent)];
-        if (child == parent + 1)
-            cell.box.upper[n.flag] = std::min(cell.box.upper[n.flag], n.split);
-        else
-            cell.box.lower[n.flag] = std::max(cell.box.lower[n.flag], n.split);
-        child = parent;
-    }
-    return cell;
-}
-
 Ray seen_ray(const PinholeCamera& camera, int width, int height, int x, int y, const Hit& hit) {
     Ray ray = camera_ray(camera, int2(x, y), int2(width, height));
     if (hit.triangle >= 0) ray.t_max = hit.t;
     return ray;
-}
-
-std::vector<ScreenLine> on_screen(const std::vector<WorldLine>& lines, const PinholeCamera& camera, int width,
-                                  int height, std::size_t most = std::numeric_limits<std::size_t>::max()) {
-    const Projection projection(camera, width, height);
-    std::vector<ScreenLine> seen;
-    for (const WorldLine& line : lines) {
-        if (seen.size() >= most) break;
-        if (const auto s = projection.project_segment(line.a, line.b))
-            seen.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
-    }
-    return seen;
 }
 
 }  // namespace

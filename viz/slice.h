@@ -35,10 +35,12 @@ struct SliceSegment {
 /// A plane in a cell's face belongs to the cell above it, but in the tree's own upper face to that below.
 [[nodiscard]] std::vector<SliceCell> slice_cells(const KdTree& tree, const SlicePlane& plane, int max_depth);
 
-/// Where the plane cuts triangles; one that lies in it gives its three edges.
+/// Where the plane cuts triangles; one that lies in it gives its three edges, one that touches it with a corner
+/// nothing.
 [[nodiscard]] std::vector<SliceSegment> slice_triangles(std::span<const Triangle> triangles, const SlicePlane& plane);
 
-/// The node of slice_cells() at a point of the slice; nothing outside of the tree.
+/// The node of slice_cells() at a point of the slice, of those that share an edge there the upper one; nothing outside
+/// of the tree.
 [[nodiscard]] std::optional<int> slice_node(const std::vector<SliceCell>& cells, Vec2 point);
 
 }  // namespace kd

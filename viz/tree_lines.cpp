@@ -2,7 +2,19 @@
 
 #include <array>
 
+#include "renderer/kdtree/hand_split.h"
+#include "viz/projection.h"
+
 namespace kd {
+
+Cell cell_of(const KdTree& tree, int node) {
+    Cell cell{0, 0, tree.bounds};
+    for (const char step : node_path(tree, node)) {
+        const TreeNode& n = tree.nodes[static_cast<std::size_t>(cell.node)];
+        cell = step == path_below ? child_below(n, cell) : child_above(n, cell);
+    }
+    return cell;
+}
 
 Cell child_below(const TreeNode& n, const Cell& cell) {
     Cell child{cell.node + 1, cell.depth + 1, cell.box};
@@ -39,6 +51,18 @@ void add_box(const Cell& cell, std::vector<WorldLine>& lines) {
             if ((i & bit) == 0) lines.push_back({corner(i), corner(i | bit), cell.depth, cell.node});
         }
     }
+}
+
+std::vector<ScreenLine> on_screen(const std::vector<WorldLine>& lines, const PinholeCamera& camera, int width,
+                                  int height, std::size_t most) {
+    const Projection projection(camera, width, height);
+    std::vector<ScreenLine> seen;
+    for (const WorldLine& line : lines) {
+        if (seen.size() >= most) break;
+        if (const auto s = projection.project_segment(line.a, line.b))
+            seen.push_back({float(s->a.x), float(s->a.y), float(s->b.x), float(s->b.y), line.depth});
+    }
+    return seen;
 }
 
 }  // namespace kd

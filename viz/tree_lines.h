@@ -1,6 +1,7 @@
 // Cells of a kd-tree on the way down, and their outlines.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "viz/overlay.h"
@@ -14,6 +15,9 @@ struct Cell {
     Aabb box;
 };
 
+/// The cell of a node, from the planes above it.
+[[nodiscard]] Cell cell_of(const KdTree& tree, int node);
+
 [[nodiscard]] Cell child_below(const TreeNode& n, const Cell& cell);
 [[nodiscard]] Cell child_above(const TreeNode& n, const Cell& cell);
 
@@ -21,5 +25,10 @@ struct Cell {
 void add_plane(const TreeNode& n, const Cell& cell, std::vector<WorldLine>& lines);
 /// The edges of the cell: 12 lines.
 void add_box(const Cell& cell, std::vector<WorldLine>& lines);
+
+/// What of the lines lies in a width x height picture; `most` of them, those at the start of the list.
+[[nodiscard]] std::vector<ScreenLine> on_screen(const std::vector<WorldLine>& lines, const PinholeCamera& camera,
+                                                int width, int height,
+                                                std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace kd

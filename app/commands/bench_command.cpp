@@ -68,6 +68,7 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
             BenchRow row;
             row.tracer = kind;
             row.traversal = traversal;
+            row.nodes = nodes_in_force(config);
             row.renderer = tracer->renderer();
             row.software_gl = tracer->software_gl();
             try {

@@ -5,8 +5,6 @@
 
 #include "app/limits.h"
 #include "renderer/io/printable.h"
-#include "renderer/measure/walk_recorder.h"
-#include "renderer/scene/units.h"
 
 namespace kd {
 
@@ -70,7 +68,10 @@ void Engine::set_session(const Session& wanted) {
     state_.session = next;
     ++state_.generation;
     const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
-    if (scene_changed && !state_.loading.active) camera_before_load_ = before.camera;
+    if (scene_changed && !state_.loading.active) {
+        camera_before_load_ = before.camera;
+        planes_before_load_ = before.build.by_hand;
+    }
     if (scene_changed) opened_.reset();
     if (scene_changed)
         start_load();
@@ -90,6 +91,13 @@ void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<Pixe
     pinned_ = pinned;
     step_ = step;
     read_probes();
+}
+
+void Engine::select_node(const std::optional<std::string>& path, bool costs) {
+    wants_costs_ = costs;
+    if (path == selected_path_) return;
+    selected_path_ = path;
+    read_selection();
 }
 
 void Engine::run_case(const std::string& id, bool all_traversals) {
@@ -123,6 +131,7 @@ void Engine::run_paper(bool quick) {
     stop_duel();
     cancel_needs();
     widths_.cancel();
+    visits_.cancel();
     PaperConfig config = paper_config(quick);
     config.base.seed = state_.session.seed;
     config.gpu = bool(options_.open_gl);
@@ -148,6 +157,8 @@ void Engine::keep_widths(bool wanted) {
     if (!wanted) widths_.cancel();
 }
 
+void Engine::keep_visits(bool wanted) { options_.visits = wanted; }
+
 bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
@@ -156,6 +167,10 @@ bool Engine::poll() {
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
     duels_.turn_to(configuration_shown(), duel_scale_);
     start_widths();
+    start_visits();
+    start_cell();
+    tree_view_.follow(tree_wish_, state_.world, state_.visits.world == state_.world ? state_.visits.visits : nullptr);
+    if (state_.world) planes_.turn_to(configuration_shown(), state_.world->loaded);
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();
     if (!duelling_ && !convergence_.wants_sample()) start_duel();
@@ -171,53 +186,5 @@ void Engine::wait_for_picture(double seconds) {
 }
 
 Camera Engine::camera_in_use() const { return state_.session.camera.value_or(state_.world->scene().camera); }
-
-void Engine::read_probes() {
-    state_.hovered.reset();
-    state_.pinned.reset();
-    state_.ray_cells.clear();
-    state_.step.reset();
-    if (!state_.picture) return;
-    const TracedFrame& shown = state_.picture->traced;
-    if (hovered_) state_.hovered = read_pixel(*shown.frame, *hovered_, shown.scale);
-    if (pinned_) state_.pinned = read_pixel(*shown.frame, *pinned_, shown.scale);
-    for (auto* reading : {&state_.hovered, &state_.pinned})
-        if (*reading) (*reading)->oracle = read_oracle(shown, (*reading)->pixel);
-    if (state_.pinned && step_)
-        read_step(*state_.pinned);
-    else
-        walked_frame_.reset();  // a whole frame, which nobody needs once nobody steps
-    const std::optional<PixelReading>& probe = state_.pinned ? state_.pinned : state_.hovered;
-    if (!probe || !state_.session.view.overlay.show) return;
-    const int width = state_.session.width;
-    const int height = state_.session.height;
-    state_.ray_cells = ray_cells(shown.world->tree, pinhole(shown.camera, width, height), width, height, probe->pixel.x,
-                                 probe->pixel.y, probe->primary().hit);
-}
-
-/// Walks the ray once more, on the CPU and under the rules of the frame: the leaves are those that were counted.
-void Engine::read_step(const PixelReading& probe) {
-    const TracedFrame& shown = state_.picture->traced;
-    const World& world = *shown.world;
-    const int width = state_.session.width;
-    const int height = state_.session.height;
-    const PinholeCamera camera = pinhole(shown.camera, width, height);
-    if (walked_frame_ != shown.frame || walked_pixel_ != probe.pixel) {
-        const WalkRequest request{world.scene(), world.tree, shown.config, camera, width, height};
-        const PixelWalks walks = record_pixel(request, probe.pixel.x, probe.pixel.y);
-        walked_leaves_ = walks.rays.empty() ? std::vector<int>{} : walks.rays.front().walk.leaves();
-        walked_frame_ = shown.frame;
-        walked_pixel_ = probe.pixel;
-    }
-    if (walked_leaves_.empty()) return;
-    const int last = int(walked_leaves_.size()) - 1;
-    const int number = std::min(*step_, last);
-    const int node = walked_leaves_[std::size_t(number)];
-    RayLeaf leaf =
-        leaf_on_ray(world.tree, node, camera, width, height, probe.pixel.x, probe.pixel.y, probe.primary().hit);
-    leaf.enters = to_scene_units(world.scene(), leaf.enters);
-    leaf.leaves = to_scene_units(world.scene(), leaf.leaves);
-    state_.step = StepReading{number, last + 1, std::move(leaf), world.tree.nodes[std::size_t(node)].count};
-}
 
 }  // namespace kd

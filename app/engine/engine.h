@@ -37,6 +37,7 @@ struct EngineOptions {
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
     bool duel = true;            // time CPU and GPU while idle
     bool widths = false;         // measure efficiency against width while idle
+    bool visits = false;         // count visits of nodes while idle, though no cell is coloured by them
 };
 
 class Engine {
@@ -56,6 +57,10 @@ class Engine {
     /// leaf to read of those that the pinned pixel's primary ray visits; the last one where there are not so many.
     void set_probes(std::optional<PixelPosition> hovered, std::optional<PixelPosition> pinned,
                     std::optional<int> step = std::nullopt);
+    /// The node that is selected, by its path. `costs`: those of the planes in its cell are reckoned.
+    void select_node(const std::optional<std::string>& path, bool costs);
+    /// How the tree is shown beside the picture; columns 0: not at all.
+    void show_tree(const TreeViewWish& wish) { tree_wish_ = wish; }
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
     void cancel_build();
     /// Runs a case of the stability suite in the background, by all traversals or the session's, under the session's
@@ -80,6 +85,8 @@ class Engine {
     void allow_duel(bool allowed, int scale = 0);
     /// Measures efficiency against width of the rays shown, whenever the picture stays.
     void keep_widths(bool wanted);
+    /// Counts how often the rays shown visit each node, whenever the picture stays.
+    void keep_visits(bool wanted);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -101,6 +108,7 @@ class Engine {
     void take_opened_lengths(const FlatScene& scene);
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
+    void finish_meantime(std::shared_ptr<const World> world);
     void start_trace();
     void note_gl(const GlStatus& gl);
     void receive(TracedFrame traced);
@@ -115,28 +123,44 @@ class Engine {
     void receive(const DuelReply& reply);
     void stop_duel();
     void start_widths();
+    void start_visits();
+    [[nodiscard]] bool rests() const;
     void start_sample();
     void receive(const SampleReply& reply);
     void note_frame(const TracedFrame& traced);
     void note_rounds();
+    void note_planes(const TracedFrame& traced);
     [[nodiscard]] Session configuration_shown() const;
     void read_probes();
     void read_step(const PixelReading& probe);
+    void read_hit();
+    void read_selection();
+    void walk_pinned(const PixelReading& probe);
+    [[nodiscard]] PictureView picture_view() const;
+    void start_cell();
     [[nodiscard]] TraceRequest trace_request() const;
     [[nodiscard]] Camera camera_in_use() const;
 
     EngineOptions options_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     EngineState state_;
-    std::shared_ptr<const LoadedScene> scene_;  // newest loaded; its tree may not be ready yet
-    std::optional<Camera> camera_before_load_;  // of the scene that a refused one gives way to
-    std::optional<OpenedSession> opened_;       // whose scene is being loaded
-    TracedFrame traced_;                        // newest frame
+    std::shared_ptr<const LoadedScene> scene_;           // newest loaded; its tree may not be ready yet
+    std::optional<Camera> camera_before_load_;           // of the scene that a refused one gives way to
+    std::vector<HandSplit> planes_before_load_;          // of the same
+    std::shared_ptr<const LoadedScene> building_scene_;  // of the build that runs
+    bool build_waits_ = false;                           // for that one, whose result is soon there
+    std::optional<OpenedSession> opened_;                // whose scene is being loaded
+    TracedFrame traced_;                                 // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
     std::optional<int> step_;
+    std::optional<std::string> selected_path_;
+    bool wants_costs_ = false;
+    TreeViewWish tree_wish_;
     std::vector<int> walked_leaves_;  // by the ray of this pixel of this frame
+    int walked_hit_leaf_ = -1;        // in which it ended
     std::shared_ptr<const Frame> walked_frame_;
     PixelPosition walked_pixel_;
+    bool walked_in_steps_ = false;        // by the frame's own traversal, not by a stack
     std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
     std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
     std::uint64_t paint_ticket_ = 0;      // of the painting asked for last
@@ -155,8 +179,12 @@ class Engine {
     Mailbox mailbox_;
     DuelBook duels_{state_.duel};
     StabilityBench stability_{mailbox_, state_.stability};
-    WidthBench widths_{mailbox_, state_.widths};
+    FrameBench widths_{mailbox_, state_.widths};
+    FrameBench visits_{mailbox_, state_.visits};
     PaperBench paper_{mailbox_, state_.paper};
+    CellBench cell_{mailbox_, state_.cell};
+    TreeViewBench tree_view_{mailbox_, state_.tree_view};
+    PlaneBook planes_{state_.plane_effect};
     Convergence convergence_{state_.convergence};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone

@@ -16,9 +16,8 @@ namespace kd {
 
 namespace {
 
-constexpr double quiet_before_duel_s = 0.6;
-constexpr double longest_duel_pause_s = 2;
-constexpr double longest_paint_ms = 40;  // above it a sketch comes first
+constexpr double longest_finished_ms = 300;  // of a build that is let finish though another is asked for
+constexpr double longest_paint_ms = 40;      // above it a sketch comes first
 
 bool asks_for(const Session& session, const LoadedScene& scene) {
     return session.scene == scene.name && session.seed == scene.seed;
@@ -37,6 +36,7 @@ void Engine::start_load() {
     const unsigned seed = state_.session.seed;
     builder_.cancel();
     state_.building = {};
+    build_waits_ = false;
     forget_refused();
     if (state_.world && asks_for(state_.session, *state_.world->loaded)) {
         loader_.cancel();
@@ -86,6 +86,7 @@ void Engine::fail_load(const std::string& reason) {
         back.scene = state_.world->loaded->name;
         back.seed = state_.world->loaded->seed;
         back.camera = camera_before_load_;
+        back.build.by_hand = planes_before_load_;
         set_session(back);
     }
     state_.refused = refused;
@@ -97,9 +98,14 @@ void Engine::start_build() {
     if (state_.world && state_.world->loaded == scene_ && state_.world->built_with == config) {
         builder_.cancel();
         state_.building = {};
+        build_waits_ = false;
         start_trace();
         return;
     }
+    // Wishes of a drag come faster than trees are built: one that is soon there is shown, and then the newest is built.
+    build_waits_ = state_.building.active && building_scene_ == scene_ && state_.last_build_ms < longest_finished_ms;
+    if (build_waits_) return;
+    building_scene_ = scene_;
     state_.building = {true, 0};
     build_fraction_ = 0;
     builder_.submit([this, config, loaded = scene_, threads = state_.session.threads](const std::stop_token& stop) {
@@ -117,6 +123,11 @@ void Engine::start_build() {
         }
         const bool stopped = stop.stop_requested();
         mailbox_.post([this, world, error, stopped] {
+            const bool meantime = std::exchange(build_waits_, false) && error.empty() && !stopped;
+            if (meantime && state_.building.active && world->loaded == scene_) {
+                state_.building = {};
+                return finish_meantime(world);
+            }
             // A stopped build counts only where a person stopped it and there is no tree to go back to.
             const bool wanted = world->loaded == scene_ && world->built_with == state_.session.build;
             if (!wanted || !state_.building.active || (stopped && state_.world && state_.world->loaded == scene_))
@@ -139,9 +150,18 @@ void Engine::finish_build(std::shared_ptr<const World> world) {
     start_trace();
 }
 
+/// A tree that nobody asks for any more: shown until the one that is asked for is built.
+void Engine::finish_meantime(std::shared_ptr<const World> world) {
+    state_.world = std::move(world);
+    state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    start_trace();
+    start_build();
+}
+
 void Engine::cancel_build() {
     if (!state_.building.active) return;
     builder_.cancel();
+    build_waits_ = false;
     if (!state_.world || state_.world->loaded != scene_) return;  // the unfinished tree will do
     state_.building = {};
     Session back = state_.session;
@@ -201,8 +221,11 @@ void Engine::note_gl(const GlStatus& gl) {
 }
 
 void Engine::receive(TracedFrame traced) {
+    // Cells keep their colours until the rays of the new frame are counted.
+    if (traced_.world == traced.world) traced.visits = traced_.visits;
     traced_ = std::move(traced);
     note_frame(traced_);
+    note_planes(traced_);
     start_paint();
 }
 
@@ -309,64 +332,6 @@ void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
     Session back = state_.session;
     back.view = state_.picture->view;
     set_session(back);
-}
-
-void Engine::start_duel() {
-    if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.paper.active) return;                              // its times are not to be disturbed
-    if (state_.stability.active || state_.widths.active) return;  // they take all processors
-    if (tracer_.busy() || painter_.busy() || sketcher_.busy()) return;
-    if (duel_failed_.world == state_.world && duel_failed_.config == state_.session.trace) return;
-    const double pause = std::clamp(duel_took_, 0.1, longest_duel_pause_s);
-    if (now() - last_input_ < quiet_before_duel_s || now() - duel_ended_ < pause) return;
-    duelling_ = true;
-    state_.duel.running = true;
-    TraceRequest timed = trace_request();
-    timed.duel_scale = duel_scale_;
-    tracer_.submit([this, request = timed, generation = trace_generation_](const std::stop_token& stop) {
-        std::optional<DuelReply> reply;
-        std::string error;
-        double took = 0;
-        try {
-            took = 1e-3 * wall_ms([&] { reply = tracing_->duel(request, stop); });
-        } catch (const std::exception& e) {
-            error = error_text(e, "the frame");
-        }
-        const GlStatus gl = stop.stop_requested() ? GlStatus{} : tracing_->open();
-        mailbox_.post([this, reply, error, took, request, generation, gl] {
-            note_gl(gl);
-            duelling_ = state_.duel.running = false;
-            duel_ended_ = now();
-            duel_took_ = took;
-            if (!error.empty()) {
-                if (!gl.fails) say(true, "timing: " + error);
-                duel_failed_ = request;
-            }
-            if (reply && generation == trace_generation_ && request.duel_scale == duel_scale_) receive(*reply);
-        });
-    });
-}
-
-void Engine::receive(const DuelReply& reply) {
-    duels_.add(reply);
-    if (!state_.duel.outdated) note_rounds();
-}
-
-/// Of the frame and the rays that the picture shows. A picture that changes is left alone.
-void Engine::start_widths() {
-    if (!options_.widths || !traced_.frame || state_.paper.active) return;
-    const Pass rays = state_.session.view.map.rays;
-    if (widths_.is_of(traced_, rays)) return;
-    widths_.cancel();
-    if (state_.stale() || state_.working() || traced_.scale != 1 || now() - last_input_ < quiet_before_duel_s) return;
-    stop_duel();
-    widths_.measure(traced_, rays, state_.session.threads);
-}
-
-void Engine::stop_duel() {
-    if (!duelling_) return;
-    duelling_ = state_.duel.running = false;
-    tracer_.cancel();
 }
 
 }  // namespace kd

@@ -153,7 +153,8 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
                  needs,
                  omitted,
                  request.generation,
-                 count_unfinished(*frame)});
+                 count_unfinished(*frame),
+                 scale == 1 ? walk_totals(*frame) : std::array<CounterTotals, pass_count>{}});
         if (scale == 1 || stop.stop_requested()) return;
     }
 }

@@ -14,6 +14,8 @@
 
 namespace kd {
 
+bool shows(const Edit& edit, const char* panel) { return edit.window.panels && edit.window.bottom == panel; }
+
 Pass rays_read(const Edit& edit) { return edit.window.pixel_rays.value_or(edit.session.view.map.rays); }
 
 }  // namespace kd
@@ -103,7 +105,8 @@ void show_unfinished(const EngineState& state, Edit& edit) {
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
     edit.session.camera.reset();
-    edit.session.build.by_hand.clear();  // they mean nodes of the tree before
+    edit.session.build.by_hand.clear();  // of the tree before
+    edit.window.planes_before.clear();
     std::string& refused = edit.window.scene_asked;
     if (refused.empty() || refused == scene) return;
     edit.window.scene_text.clear();
@@ -243,8 +246,10 @@ void switch_tracer(const EngineState& state, Edit& edit) {
 }
 
 void pin(Edit& edit) {
-    edit.window.pinned = edit.hovered == edit.window.pinned ? std::nullopt : edit.hovered;
+    if (edit.hovered == edit.window.pinned) return release(edit);
+    edit.window.pinned = edit.hovered;
     edit.window.step.reset();
+    edit.window.follow = Follow::hit_leaf;
 }
 
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
@@ -252,6 +257,7 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy) {
     PixelPosition& p = *edit.window.pinned;
     p.x = std::clamp(p.x + dx, 0, std::max(0, state.session.width - 1));
     p.y = std::clamp(p.y + dy, 0, std::max(0, state.session.height - 1));
+    edit.window.follow = edit.window.step ? Follow::step : Follow::hit_leaf;
 }
 
 void step_ray(const EngineState& state, Edit& edit, int by) {
@@ -261,20 +267,13 @@ void step_ray(const EngineState& state, Edit& edit, int by) {
     const int last = state.pinned ? int(state.pinned->primary().counters.leaves) - 1 : 0;
     const int next = std::min((state.step ? state.step->number : -1) + by, last);
     step = next < 0 ? std::nullopt : std::optional(next);
-}
-
-void select_node(const EngineState& state, Edit& edit, int node) {
-    if (state.world) edit.window.node = node_path(state.world->tree, node);
-}
-
-std::optional<int> selected_node(const EngineState& state, const Edit& edit) {
-    if (!state.world || !edit.window.node) return std::nullopt;
-    return node_at(state.world->tree, *edit.window.node);
+    edit.window.follow = step ? Follow::step : Follow::hit_leaf;
 }
 
 void compare(Edit& edit) {
     Session shown = edit.window.other.value_or(edit.session);
     const Session& before = edit.session;
+    if (shown.scene != before.scene) shown.build.by_hand.clear();  // of another tree
     shown.scene = before.scene;
     shown.seed = before.seed;
     shown.camera = before.camera;
@@ -294,6 +293,7 @@ void pin_wrong(const EngineState& state, Edit& edit, bool backwards) {
     if (!pixel) return edit.do_once(Action::say_all_right);
     edit.window.pinned = *pixel;
     edit.window.step.reset();
+    edit.window.follow = Follow::hit_leaf;
 }
 
 void focus(const EngineState& state, Edit& edit) {

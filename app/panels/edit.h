@@ -41,6 +41,19 @@ struct ErrorTimeView {
     std::vector<Session> before;  // clicks on configurations, newest last: what each took the place of
 };
 
+/// What shall be selected as soon as it is read of the pinned pixel's ray.
+enum class Follow { nothing, hit_leaf, step };
+
+/// What a person looks at in NODES.
+struct NodesView {
+    IcicleWidth width = IcicleWidth::leaves;
+    CellColour colour = CellColour::depth;
+    std::string root;          // of the part of the icicle that is shown, by its path
+    int columns = 0;           // pixels that the icicle had when it was drawn last
+    int slice_axis = 2;        // that the slice lies across
+    float slice_share = 0.5f;  // where, from the lower end of the scene's bounds to the upper
+};
+
 /// What a person has chosen about the window rather than about the picture.
 struct WindowSettings {
     bool panels = true;
@@ -53,8 +66,10 @@ struct WindowSettings {
     std::optional<Pass> pixel_rays;   // that PIXEL reads; none: those of the map
     std::optional<std::string> node;  // selected, by its path from the root (renderer/kdtree/hand_split.h)
     std::optional<int> step;          // of the pinned pixel's ray: the leaf that is lit, from 0
-    std::optional<Session> other;     // of two configurations the one that is not shown; none before there are two
-    bool shows_b = false;             // the second of the two, the first is A
+    Follow follow = Follow::nothing;
+    std::vector<std::vector<HandSplit>> planes_before;  // changes of planes by hand, newest last: what each replaced
+    std::optional<Session> other;  // of two configurations the one that is not shown; none before there are two
+    bool shows_b = false;          // the second of the two, the first is A
     CameraStyle camera_style = CameraStyle::orbit;
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
@@ -70,6 +85,7 @@ struct WindowSettings {
     StabilityView stability;
     PaperView paper;
     ErrorTimeView error_time;
+    NodesView nodes;
 };
 
 enum class Action {
@@ -115,6 +131,14 @@ struct Edit {
 
 /// The bottom panel that has efficiency against width measured while it is shown.
 inline constexpr const char* divergence_panel = "DIVERGENCE";
+/// Those in which a node is looked at, and in which one is found.
+inline constexpr const char* splits_panel = "SPLITS";
+inline constexpr const char* nodes_panel = "NODES";
+/// That and NODES have visits of nodes counted while they are shown.
+inline constexpr const char* predicted_panel = "PREDICTED";
+
+/// Whether that bottom panel is to be seen.
+[[nodiscard]] bool shows(const Edit& edit, const char* panel);
 
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
@@ -178,6 +202,31 @@ void step_ray(const EngineState& state, Edit& edit, int by);
 void select_node(const EngineState& state, Edit& edit, int node);
 /// The node selected; nothing where none is, or where the tree in use has none there.
 [[nodiscard]] std::optional<int> selected_node(const EngineState& state, const Edit& edit);
+/// Selects the leaf that a pinned pixel, or a step along its ray, leads to, once it has been read.
+void follow_ray(const EngineState& state, Edit& edit);
+/// Lets go of the pinned pixel and of the node selected.
+void release(Edit& edit);
+/// How NODES wants the tree, which it does not while it is not to be seen.
+[[nodiscard]] TreeViewWish tree_wish(const EngineState& state, const Edit& edit);
+/// Puts the slice through the plane of the node selected, or where it has none through the middle of its cell.
+void slice_at_node(const EngineState& state, Edit& edit);
+/// Puts the slice through the hit of the pinned pixel.
+void slice_at_hit(const EngineState& state, Edit& edit);
+
+/// The plane by hand of the node selected, or else the one that the tree in use has there; nothing at a leaf without.
+[[nodiscard]] std::optional<HandSplit> shown_plane(const EngineState& state, const Edit& edit);
+/// Whether the node selected has a plane by hand.
+[[nodiscard]] bool has_plane(const Edit& edit);
+/// `position` kept inside of a cell, a thousandth of its extent from its faces; nothing where it has no extent.
+[[nodiscard]] std::optional<float> inside(const Aabb& cell, int axis, float position);
+/// Puts a plane where another was, by hand or not. `begins`: undo_planes() goes back to what was before it.
+void put_plane(Edit& edit, const HandSplit& plane, bool begins);
+/// The builder's plane again, of the node selected or of all.
+void put_plane_back(Edit& edit);
+void put_planes_back(Edit& edit);
+/// Takes the last change of planes back: one drag, or one press of a button.
+void undo_planes(Edit& edit);
+[[nodiscard]] bool can_undo_planes(const Edit& edit);
 /// Between two configurations, A and B, of one scene seen by one camera. B begins as a copy of A.
 void compare(Edit& edit);
 /// Pins the next place where pixels are wrong by the oracle, or the one before; chooses the oracle's map where none was

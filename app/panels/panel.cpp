@@ -12,9 +12,12 @@ void draw_export_panel(const EngineState& state, Edit& edit);
 void draw_time_panel(const EngineState& state, Edit& edit);
 void draw_stability_panel(const EngineState& state, Edit& edit);
 void draw_divergence_panel(const EngineState& state, Edit& edit);
+void draw_predicted_panel(const EngineState& state, Edit& edit);
 void draw_paper_panel(const EngineState& state, Edit& edit);
 void draw_needs_panel(const EngineState& state, Edit& edit);
 void draw_error_time_panel(const EngineState& state, Edit& edit);
+void draw_splits_panel(const EngineState& state, Edit& edit);
+void draw_nodes_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
@@ -33,6 +36,12 @@ std::span<const Panel> panels() {
          "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y."},
         {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel,
          "What the scene needs, what is left out, and what that saves. Key X."},
+        {splits_panel, PanelPlace::bottom, 0, draw_splits_panel,
+         "What every plane would cost in the cell selected; drag it and see what that does. Key Shift S."},
+        {nodes_panel, PanelPlace::bottom, 0, draw_nodes_panel,
+         "The whole tree as an icicle, and a slice through its cells. Key I."},
+        {predicted_panel, PanelPlace::bottom, 0, draw_predicted_panel,
+         "How often rays visit each node, against what the surface area heuristic predicts. Key Shift P."},
         {"ERROR", PanelPlace::bottom, 0, draw_error_time_panel,
          "Error against time while the picture is sampled, and the configurations tried so far. Key E."},
     };

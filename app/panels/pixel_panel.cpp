@@ -18,11 +18,19 @@ namespace {
 
 constexpr const char* none = "–";
 
-void draw_hit(const PassReading& ray) {
+/// In how many leaves a ray may meet the triangle that the pinned pixel's ray hit.
+std::string leaves_text(const EngineState& state, const PassReading& ray) {
+    if (!state.hit || !state.pinned || state.hit->triangle != ray.hit.triangle) return "";
+    const std::size_t leaves = state.hit->leaves.size();
+    return fmt::format(" in {} {}", number_text(double(leaves)), leaves == 1 ? "leaf" : "leaves");
+}
+
+void draw_hit(const EngineState& state, const PassReading& ray) {
     const bool hit = ray.hit.triangle >= 0;
     const std::string missed = ray.traced ? "none" : none;
-    widgets::value("triangle", hit ? fmt::format("#{}", ray.hit.triangle) : missed,
-                   "Number of the triangle that the ray hit first.");
+    widgets::value("triangle", hit ? fmt::format("#{}{}", ray.hit.triangle, leaves_text(state, ray)) : missed,
+                   "Number of the triangle that the ray hit first; where the pixel is pinned, also how many leaves of "
+                   "the tree list it. NODES (key I) ticks them.");
     widgets::value("distance t", hit ? number_text(double(ray.distance)) : none,
                    "From the ray's origin to the hit, in scene units.");
     widgets::value("u, v", hit ? fmt::format("{:.3f}, {:.3f}", ray.hit.u, ray.hit.v) : none,
@@ -135,18 +143,18 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     const PassReading& ray = reading.passes[std::size_t(read)];
     // Close together, so that EXPORT below them is to be seen in a window 720 pixels high.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, theme::px(2)});
-    draw_hit(ray);
+    draw_hit(state, ray);
     draw_verdict(state, edit);
     widgets::heading(fmt::format("walk of the {} rays", ray_names[std::size_t(read)]).c_str());
     draw_counters(ray);
     draw_other_rays(state, edit, reading, read);
     ImGui::PopStyleVar();
-    const bool pinned = edit.window.pinned.has_value();
+    const bool held = edit.window.pinned.has_value() || edit.window.node.has_value();
     if (widgets::button("release pixel",
-                        pinned ? "Follows the mouse again. Key Esc."
-                               : "Move the mouse over the picture to read a pixel; click there to keep it.",
-                        pinned))
-        edit.window.pinned.reset();
+                        held ? "Follows the mouse again, and no node is selected. Key Esc."
+                             : "Move the mouse over the picture to read a pixel; click there to keep it.",
+                        held))
+        edits::release(edit);
 }
 
 }  // namespace kd

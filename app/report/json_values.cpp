@@ -34,6 +34,7 @@ class FieldWriter {
     void choice(const char* key, const T& value, const std::vector<NamedValue<T>>& choices) {
         json[key] = name_among(choices, value);
     }
+    void node_bytes(const char* key, NodeEncoding value) { json[key] = bytes_of(value); }
     void set(const char* key, FeatureSet value, const std::vector<NamedValue<Feature>>& choices) {
         json[key] = Json::array();
         for (const auto& [name, feature] : choices)

@@ -26,8 +26,8 @@ void toggle_heat(Edit& edit) {
 void leave(Edit& edit) {
     if (edit.window.help)
         edit.window.help = false;
-    else if (edit.window.pinned)
-        edit.window.pinned.reset();
+    else if (edit.window.pinned || edit.window.node)
+        edits::release(edit);
     else
         edit.do_once(Action::dismiss_messages);
 }
@@ -65,6 +65,12 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::switch_bottom(e, "NEEDS"); }},
     {GLFW_KEY_E, plain, "E", see, "error against time, or times",
      [](State, Edit& e) { edits::switch_bottom(e, "ERROR"); }},
+    {GLFW_KEY_P, GLFW_MOD_SHIFT, "Shift P", see, "visits against prediction, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, predicted_panel); }},
+    {GLFW_KEY_S, GLFW_MOD_SHIFT, "Shift S", see, "a node's split explored, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, splits_panel); }},
+    {GLFW_KEY_I, plain, "I", see, "icicle and slice of the tree, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, nodes_panel); }},
     {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits, one level less deep",
      [](State, Edit& e) { change_depth(e, -1); }},
     {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits, one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
@@ -81,6 +87,8 @@ constexpr KeyBinding table[] = {
     {GLFW_KEY_B, plain, "B", change, "next builder", [](State, Edit& e) { edits::next_builder(e); }},
     {GLFW_KEY_V, plain, "V", change, "trace on CPU or GPU", [](State s, Edit& e) { edits::switch_tracer(s, e); }},
     {GLFW_KEY_TAB, plain, "Tab", change, "between two settings, A and B", [](State, Edit& e) { edits::compare(e); }},
+    {GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl Z", change, "take back the last plane by hand",
+     [](State, Edit& e) { edits::undo_planes(e); }},
 
     {GLFW_KEY_P, plain, "P", pixel, "pin the pixel under the mouse", [](State, Edit& e) { edits::pin(e); }},
     {GLFW_KEY_LEFT, plain, "Left", pixel, "pinned pixel to the left",
@@ -119,7 +127,8 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::change_text_scale(e, 0); }},
     {GLFW_KEY_F1, plain, "F1", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
     {GLFW_KEY_SLASH, GLFW_MOD_SHIFT, "?", window, "this help", [](State, Edit& e) { e.window.help = !e.window.help; }},
-    {GLFW_KEY_ESCAPE, plain, "Esc", window, "close list or help, release pixel", [](State, Edit& e) { leave(e); }},
+    {GLFW_KEY_ESCAPE, plain, "Esc", window, "close list or help, release pixel and node",
+     [](State, Edit& e) { leave(e); }},
 };
 
 constexpr Gesture held[] = {

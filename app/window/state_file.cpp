@@ -107,6 +107,19 @@ Json json_of(const WidthState& state) {
     return json;
 }
 
+/// What PREDICTED shows, and what cells are coloured by.
+Json json_of(const VisitState& state) {
+    Json json{{"active", state.active}, {"outdated", state.outdated}, {"error", state.error}};
+    if (!state.visits) return json;
+    json["rays"] = state.visits->rays;
+    json["kind"] = ray_names[std::size_t(state.visits->kind)];
+    json["rho"] = json_number(float(state.agreement.rho));
+    json["interior"] = state.agreement.counted.interior;
+    json["predicted_interior"] = state.agreement.predicted.interior;
+    json["curves"] = state.scatter->chart.curves.size();
+    return json;
+}
+
 /// What PAPER shows: how far it is, and how many figures and verdicts there are.
 Json json_of(const PaperState& state, const PaperView& view) {
     Json json{{"active", state.active}, {"what", state.what}, {"error", state.error}, {"figure", view.figure}};
@@ -133,6 +146,60 @@ Json json_of(const ConvergenceState& state) {
             json["curves"][curve.name()] = {{"points", curve.points.size()},
                                             {"first", curve.points.front().rmse},
                                             {"last", curve.points.back().rmse}};
+    return json;
+}
+
+/// What is selected of the tree; null where nothing is.
+Json json_of(const EngineState& state, const std::optional<NodeSelection>& node) {
+    if (!node) return nullptr;
+    const TreeNode& n = state.world->tree.nodes[std::size_t(node->node)];
+    Json json{{"path", node->path}, {"node", node->node}, {"depth", node->depth}, {"leaf", n.is_leaf()}};
+    if (!n.is_leaf()) {
+        json["axis"] = n.flag;
+        json["position"] = json_number(to_scene_units(state.world->scene(), n.split));
+    }
+    return json;
+}
+
+Json json_of(const std::optional<HitSelection>& hit) {
+    if (!hit) return nullptr;
+    return {{"triangle", hit->triangle}, {"leaf", hit->leaf}, {"leaves", hit->leaves.size()}};
+}
+
+/// What SPLITS shows: the planes by hand, the costs of the cell, and what the planes changed for primary rays.
+Json splits_json(const EngineState& state, const Edit& edit) {
+    const PlaneEffect& effect = state.plane_effect;
+    Json json{{"planes", edit.session.build.by_hand.size()},
+              {"idle", state.world->report.idle_hand_splits},
+              {"undo", edits::can_undo_planes(edit)}};
+    const auto visits = [](const FrameWalks& walks) {
+        const CounterTotals& c = walks.totals[0];
+        return Json{{"interior", c.interior_first + c.interior_again},
+                    {"leaves", c.leaves},
+                    {"tests", c.triangle_tests},
+                    {"sah_cost", walks.sah_cost}};
+    };
+    if (effect.now) json["now"] = visits(*effect.now);
+    if (effect.without) json["without"] = visits(*effect.without);
+    const CellState& cell = state.cell;
+    if (!cell.costs || cell.world != state.world) return json;
+    json["costs"] = {{"path", cell.path},
+                     {"triangles", cell.costs->triangles.size()},
+                     {"leaf", cell.costs->leaf_cost},
+                     {"chosen", cell.costs->chosen_cost}};
+    return json;
+}
+
+/// What NODES shows.
+Json nodes_json(const EngineState& state, const NodesView& wish) {
+    Json json{{"root", wish.root}, {"slice_axis", wish.slice_axis}, {"slice_share", json_number(wish.slice_share)}};
+    const std::shared_ptr<const TreeView>& view = state.tree_view.view;
+    if (!view || view->world != state.world) return json;
+    json["icicle"] = view->icicle.size();
+    json["rows"] = view->rows;
+    json["slice"] = view->slice.size();
+    json["segments"] = view->segments.size();
+    json["coloured"] = !view->colours.of.empty();
     return json;
 }
 
@@ -163,9 +230,17 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
             json["hovered"]["map"] = json_number(*value);
     json["pinned"] = json_of(state.pinned);
     json["step"] = json_of(state.step);
+    json["selected"] = json_of(state, state.selected);
+    json["hit"] = json_of(state.hit);
+    json["splits"] = splits_json(state, edit);
+    json["nodes"] = nodes_json(state, edit.window.nodes);
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);
+    json["visits"] = json_of(state.visits);
+    if (state.picture->cells)
+        json["cells"] = {{"title", state.picture->cells->meaning.labels.title},
+                         {"counted", state.picture->cells->meaning.summary.count}};
     json["paper"] = json_of(state.paper, edit.window.paper);
     json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);

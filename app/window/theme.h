@@ -12,6 +12,7 @@ inline constexpr ImU32 selected = IM_COL32(204, 121, 167, 255);
 inline constexpr ImU32 passed = IM_COL32(0, 158, 115, 255);
 inline constexpr ImU32 error = IM_COL32(213, 94, 0, 255);
 inline constexpr ImU32 ray_cells = IM_COL32(140, 228, 255, 255);  // none of the colours of splits by depth
+inline constexpr ImU32 hit = IM_COL32(240, 228, 66, 255);         // the triangle hit, and where it stands
 
 inline constexpr ImU32 text = IM_COL32(232, 232, 234, 255);
 inline constexpr ImU32 dim_text = IM_COL32(163, 163, 171, 255);

@@ -40,6 +40,7 @@ void resize(Edit& edit, int width, int height) {
 void Viewport::update_texture(const EngineState& state) {
     if (state.picture == uploaded_ || !state.picture) return;
     uploaded_ = state.picture;
+    stale_since_ = -1;  // while a plane or a slider is dragged, tree after tree is on its way
     image_.upload(uploaded_->image, uploaded_->traced.scale > 1 || uploaded_->sketch);
 }
 
@@ -74,6 +75,7 @@ void Viewport::draw(const Rectangle& area, const EngineState& state, double now,
     if (!image_.empty()) {
         list.AddImage(image_.id(), corner, end, {0, 0}, {1, 1}, dim ? IM_COL32(140, 140, 140, 255) : IM_COL32_WHITE);
         draw_marks(list, area, state, edit, {1 / density.x, 1 / density.y});
+        grip_.draw(list, area, state, edit);
     }
     draw_messages(list, area, state, edit, now);
     ImGui::End();
@@ -94,6 +96,10 @@ void Viewport::handle_mouse(const Rectangle& area, const EngineState& state, Edi
     if (over && io.MouseWheel != 0)
         edit.session.camera = zoom(current(state, edit), std::pow(zoom_step, io.MouseWheel),
                                    glm::length(state.world->scene().bounds.extent()));
+    if (grip_.handle(area, state, edit)) {
+        dragged_ = 1e6f;  // its release pins nothing
+        return;
+    }
     // What the mouse moved in the frame of the press led to it: a jump and a click may come in one frame.
     if (ImGui::IsItemActivated())
         dragged_ = 0;
@@ -120,7 +126,10 @@ void Viewport::handle_drag(const Rectangle& area, const EngineState& state, Edit
 void Viewport::handle_click(const EngineState& state, Edit& edit) {
     if (!ImGui::IsItemHovered()) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        edit.window.pinned = pinned_before_click_;  // the first click was not meant
+        // The first click was not meant.
+        edit.window.pinned = pinned_before_click_;
+        edit.window.node = node_before_click_;
+        edit.window.follow = Follow::nothing;
         const std::optional<PixelReading>& reading = state.hovered;
         if (!reading || reading->primary().hit.triangle < 0) return;
         const Camera camera = current(state, edit);
@@ -132,6 +141,7 @@ void Viewport::handle_click(const EngineState& state, Edit& edit) {
     if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         dragged_ < theme::px(click_slack)) {
         pinned_before_click_ = edit.window.pinned;
+        node_before_click_ = edit.window.node;
         edits::pin(edit);
     }
 }

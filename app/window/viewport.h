@@ -4,6 +4,7 @@
 #include "app/panels/edit.h"
 #include "app/window/layout.h"
 #include "app/window/picture_texture.h"
+#include "app/window/plane_grip.h"
 
 namespace kd {
 
@@ -30,6 +31,8 @@ class Viewport {
     bool flying_ = false;
     float dragged_ = 0;  // pixels since the button went down
     std::optional<PixelPosition> pinned_before_click_;
+    std::optional<std::string> node_before_click_;
+    PlaneGrip grip_;
     double stale_since_ = -1;
 };
 

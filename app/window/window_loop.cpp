@@ -263,9 +263,13 @@ void WindowLoop::apply_edit() {
     if (!edit_.window.pinned) edit_.window.step.reset();
     engine_->set_probes(edit_.hovered, edit_.window.pinned, edit_.window.step);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
-    engine_->keep_widths(edit_.window.panels && edit_.window.bottom == divergence_panel);
+    edits::follow_ray(engine_->state(), edit_);
+    engine_->select_node(edit_.window.node, shows(edit_, splits_panel));
+    engine_->show_tree(edits::tree_wish(engine_->state(), edit_));
+    engine_->keep_widths(shows(edit_, divergence_panel));
+    engine_->keep_visits(shows(edit_, predicted_panel) || shows(edit_, nodes_panel));
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
-        if (recent_world_ && recent_world_->loaded != world->loaded) edit_.window.pinned.reset();
+        if (recent_world_ && recent_world_->loaded != world->loaded) edits::release(edit_);
         recent_world_ = world;
         add_recent(edit_.window.recent_files, world->loaded->name);
     }

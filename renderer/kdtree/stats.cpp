@@ -29,23 +29,28 @@ void count_nodes(TreeStats& stats, const KdTree& tree) {
     stats.leaf_sizes = std::move(sizes);
 }
 
-/// A uniform line that meets the root meets a node with probability area(node) / area(root) (Santalo).
 void expect_visits(TreeStats& stats, const KdTree& tree) {
-    const std::vector<Aabb> boxes = node_boxes(tree);
-    const double root_area = tree.bounds.surface_area();
+    const std::vector<double> probabilities = visit_probabilities(tree);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        // Bounds without a surface have one node, visited by whatever comes.
-        const double probability = root_area > 0.0 ? boxes[i].surface_area() / root_area : 1.0;
         if (tree.nodes[i].is_leaf()) {
-            stats.expected_leaf_visits += probability;
-            stats.expected_triangle_tests += probability * tree.nodes[i].count;
+            stats.expected_leaf_visits += probabilities[i];
+            stats.expected_triangle_tests += probabilities[i] * tree.nodes[i].count;
         } else {
-            stats.expected_interior_visits += probability;
+            stats.expected_interior_visits += probabilities[i];
         }
     }
 }
 
 }  // namespace
+
+std::vector<double> visit_probabilities(const KdTree& tree) {
+    const double root_area = tree.bounds.surface_area();
+    std::vector<double> probabilities(tree.nodes.size(), 1.0);
+    if (!(root_area > 0.0)) return probabilities;
+    const std::vector<Aabb> boxes = node_boxes(tree);
+    for (std::size_t i = 0; i < boxes.size(); ++i) probabilities[i] = boxes[i].surface_area() / root_area;
+    return probabilities;
+}
 
 TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const BuildConfig& costs) {
     TreeStats stats;

@@ -24,6 +24,11 @@ struct TreeStats {
     std::int64_t duplicated_list_bytes = 0;              // leaf lists as copies of vertices (paper)
 };
 
+/// For each node, how likely a uniform line that meets the root's cell meets the node's: area(node) / area(root)
+/// (Santalo 1976; the assumption of MacDonald & Booth 1990). 1 where the root has no surface: its one node is visited
+/// by whatever comes.
+[[nodiscard]] std::vector<double> visit_probabilities(const KdTree& tree);
+
 [[nodiscard]] TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const BuildConfig& costs);
 
 }  // namespace kd

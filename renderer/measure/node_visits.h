@@ -1,45 +1,44 @@
-// How often the rays of a frame come by each node, against what the surface area heuristic expects.
+// Counts how often the rays of a frame come by each node, and holds that against what the surface area heuristic
+// expects.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/measure/walk_recorder.h"
-#include "renderer/trace/frame.h"
+#include "renderer/trace/node_visits.h"
 
 namespace kd {
 
-/// Of one kind of rays.
-struct NodeVisits {
-    std::vector<std::uint32_t> count;  // by node: visits, repeated ones included
-    std::uint64_t rays = 0;            // that visit the root or end in it: those that meet the tree's bounds
-
-    /// What uniform lines without occlusion would make of so many rays: rays * area(node) / area(root)
-    /// (MacDonald & Booth 1990).
-    [[nodiscard]] std::vector<double> predicted(const KdTree& tree) const;
+/// Visits and tests of one ray, on average over those that meet the tree's bounds.
+struct VisitsPerRay {
+    double interior = 0, leaves = 0, tests = 0;
 };
 
-/// Whether counted visits order nodes as predicted ones do.
+/// Whether counted visits are as many as predicted, and whether they order the nodes alike.
 struct VisitAgreement {
-    double rho = 0;  // Spearman's rank correlation over all nodes; NaN below two nodes or without visits
-    double rho_interior = 0, rho_leaves = 0;
-    double counted_interior = 0, counted_leaves = 0, counted_tests = 0;        // per ray
-    double predicted_interior = 0, predicted_leaves = 0, predicted_tests = 0;  // per ray
+    /// Spearman's rank correlation of counted and predicted visits over all nodes, over interior ones and over leaves.
+    /// NaN where one of the two does not vary, as where no ray comes.
+    double rho = 0, rho_interior = 0, rho_leaves = 0;
+    VisitsPerRay counted, predicted;
 };
 
-/// All rays of the request's picture of the kind that it names. Nothing where stopped.
+/// All rays of the request's picture of the kind that it names; the request's blocks do not matter. Rays of the naive
+/// loop visit no node. Nothing where stopped.
 [[nodiscard]] std::optional<NodeVisits> count_node_visits(const WalkRequest& request, std::stop_token stop = {},
                                                           const std::function<void(float)>& progress = {});
 
-/// The same of `lines` uniform random lines through the tree's bounds that nothing stops: the heuristic's own
-/// assumption (Cauchy and Crofton: a point uniform on the box, a direction by the cosine there).
+/// The same of `lines` uniform random lines through the tree's bounds that nothing stops, with a stack: the heuristic's
+/// own assumption (renderer/measure/error_time/lines.h). The same lines whatever the number of threads (0 = all). None
+/// where the bounds have no surface.
+///
+/// A node that lines meet with probability p is visited p * lines times on average, give or take
+/// sqrt(p * (1 - p) * lines): lines are independent, and visit a node once or never.
 [[nodiscard]] std::optional<NodeVisits> count_line_visits(const KdTree& tree, std::int64_t lines, unsigned seed,
-                                                          std::stop_token stop = {},
+                                                          int threads = 0, std::stop_token stop = {},
                                                           const std::function<void(float)>& progress = {});
 
 [[nodiscard]] VisitAgreement agreement(const KdTree& tree, const NodeVisits& visits);

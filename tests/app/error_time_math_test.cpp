@@ -97,6 +97,17 @@ TEST(Ranking, KendallsTauCountsPairs) {
     EXPECT_EQ(kendall_tau(a, std::array{5.0, 5.0, 5.0, 5.0}), 0);
 }
 
+TEST(Ranking, SpearmansRho) {
+    const std::array a{1.0, 2.0, 3.0, 4.0};
+    EXPECT_DOUBLE_EQ(spearman_rho(a, std::array{1.0, 10.0, 100.0, 1000.0}), 1) << "of ranks alone";
+    EXPECT_DOUBLE_EQ(spearman_rho(a, std::array{4.0, 3.0, 2.0, 1.0}), -1);
+    EXPECT_DOUBLE_EQ(spearman_rho(a, std::array{1.0, 2.0, 4.0, 3.0}), 0.8);  // 1 - 6 (1 + 1) / (4 * 15)
+    // Ranks 1.5 1.5 3 4 against 1 2 3 4: covariance 4.5, variances 4.5 and 5.
+    EXPECT_DOUBLE_EQ(spearman_rho(a, std::array{7.0, 7.0, 8.0, 9.0}), 4.5 / std::sqrt(22.5));
+    EXPECT_TRUE(std::isnan(spearman_rho(a, std::array{5.0, 5.0, 5.0, 5.0})));
+    EXPECT_TRUE(std::isnan(spearman_rho({}, {})));
+}
+
 TEST(Ranking, FramesUntilABetterTreePays) {
     const MedianInterval slower = median_interval({1.1, 1.1, 1.2, 1.2, 1.3, 1.3});
     EXPECT_NEAR(break_even(100, 300, 10, slower).value(), 100, 1e-9);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "renderer/trace/efficiency.h"
 
 namespace kd {
 
@@ -12,6 +15,19 @@ bool dominates(const TimeAndError& a, const TimeAndError& b) {
 }
 
 int sign_of(double v) { return (v > 0) - (v < 0); }
+
+/// From 1, in the order of the values; equal ones share the mean of theirs.
+std::vector<double> ranks_of(std::span<const double> values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+    std::vector<double> ranks(values.size());
+    for (std::size_t first = 0, after = 0; first < order.size(); first = after) {
+        while (after < order.size() && values[order[after]] == values[order[first]]) ++after;
+        for (std::size_t i = first; i < after; ++i) ranks[order[i]] = double(first + after + 1) / 2;
+    }
+    return ranks;
+}
 
 }  // namespace
 
@@ -34,6 +50,11 @@ double kendall_tau(std::span<const double> x, std::span<const double> y) {
             untied_y += b != 0;
         }
     return untied_x > 0 && untied_y > 0 ? agreeing / std::sqrt(untied_x * untied_y) : 0;
+}
+
+double spearman_rho(std::span<const double> x, std::span<const double> y) {
+    const std::size_t n = std::min(x.size(), y.size());
+    return correlation(ranks_of(x.first(n)), ranks_of(y.first(n)));
 }
 
 RankCorrelation rank_correlation(std::span<const double> x, std::span<const double> y, std::uint64_t seed) {

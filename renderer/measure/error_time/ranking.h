@@ -22,7 +22,12 @@ struct TimeAndError {
 /// 0 where one is constant or fewer than two pairs are there.
 [[nodiscard]] double kendall_tau(std::span<const double> x, std::span<const double> y);
 
-/// The same with its interval over pairs drawn with replacement.
+/// Spearman's rank correlation rho of pairs (x[i], y[i]): Pearson's of their ranks, equal values sharing the mean of
+/// theirs. For what is too long for tau, which compares all pairs. NaN where one is constant or fewer than two pairs
+/// are there.
+[[nodiscard]] double spearman_rho(std::span<const double> x, std::span<const double> y);
+
+/// Kendall's tau with its interval over pairs drawn with replacement.
 struct RankCorrelation {
     double tau = 0;
     Interval interval;

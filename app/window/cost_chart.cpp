@@ -1,0 +1,246 @@
+#include "app/window/cost_chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/window/chart_marks.h"
+#include "app/window/places.h"
+#include "app/window/theme.h"
+#include "app/window/widgets.h"
+#include "viz/colormap.h"
+#include "viz/numbers.h"
+
+namespace kd {
+
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// Where the plot lies on the screen.
+struct Plot {
+    const CostChart& chart;
+    ImVec2 low, high;  // its upper left and lower right corner
+
+    [[nodiscard]] float from() const { return chart.cell.costs->cell.lower[chart.axis]; }
+    [[nodiscard]] float to() const { return chart.cell.costs->cell.upper[chart.axis]; }
+    [[nodiscard]] float x(float position) const {
+        return low.x + (high.x - low.x) * std::clamp((position - from()) / (to() - from()), 0.0f, 1.0f);
+    }
+    [[nodiscard]] float y(double cost) const {
+        const double share = (cost - chart.scale.low) / (chart.scale.high - chart.scale.low);
+        return high.y - (high.y - low.y) * float(std::clamp(share, 0.0, 1.0));
+    }
+    [[nodiscard]] float position(float at) const {
+        return from() + (to() - from()) * std::clamp((at - low.x) / (high.x - low.x), 0.0f, 1.0f);
+    }
+};
+
+/// A builder's plane across this axis, with its number in a row above the plot where it has room.
+struct Tag {
+    std::size_t choice = 0;
+    ImVec2 centre, foot;  // the number, and the place on the curve
+};
+
+std::vector<Tag> tags_of(const Plot& plot) {
+    const CellCosts& costs = *plot.chart.cell.costs;
+    const float size = ImGui::GetTextLineHeight();
+    std::vector<Tag> tags;
+    for (std::size_t i = 0; i < costs.choices.size(); ++i) {
+        const BuilderChoice& choice = costs.choices[i];
+        if (!choice.split || choice.split->axis != plot.chart.axis) continue;
+        const float x = plot.x(choice.split->position);
+        Tag tag{i, {x, plot.low.y + size / 2}, {x, plot.y(choice.cost)}};
+        // Below those that it would lie upon.
+        const auto hidden = [&](const Tag& other) {
+            return std::abs(other.centre.x - tag.centre.x) < size && std::abs(other.centre.y - tag.centre.y) < size;
+        };
+        while (std::ranges::any_of(tags, hidden)) tag.centre.y += size;
+        tags.push_back(tag);
+    }
+    return tags;
+}
+
+void draw_centred(ImDrawList& list, ImVec2 centre, ImU32 colour, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    list.AddText({std::round(centre.x - size.x / 2), std::round(centre.y - size.y / 2)}, colour, text.c_str());
+}
+
+void draw_tags(ImDrawList& list, const std::vector<Tag>& tags, const Tag* hovered) {
+    const float radius = ImGui::GetTextLineHeight() / 2;
+    for (const Tag& tag : tags) {
+        const ImU32 colour = choice_colour(tag.choice);
+        list.AddLine(tag.centre, tag.foot, theme::faded(colour, 0.5f));
+        list.AddCircleFilled(tag.foot, theme::px(3), colour);
+    }
+    for (const Tag& tag : tags) {
+        list.AddCircleFilled(tag.centre, radius, choice_colour(tag.choice));
+        if (hovered == &tag) list.AddCircle(tag.centre, radius + theme::px(1), theme::text, 0, theme::px(1.5f));
+        draw_centred(list, tag.centre, IM_COL32_BLACK, fmt::format("{}", tag.choice + 1));
+    }
+}
+
+void draw_curve(ImDrawList& list, const Plot& plot) {
+    const ThinCurve& curve = plot.chart.cell.curves[std::size_t(plot.chart.axis)];
+    std::vector<ImVec2> line;
+    for (const ThinCurve::Point& point : curve.points) {
+        const float x = plot.x(point.position);
+        line.push_back({x, plot.y(point.least)});
+        if (point.most > point.least)
+            list.AddLine(line.back(), {x, plot.y(point.most)}, theme::faded(theme::text, 0.3f));
+    }
+    list.AddPolyline(line.data(), int(line.size()), theme::text, ImDrawFlags_None, theme::px(1.5f));
+    if (line.size() > 64) return;
+    for (const ImVec2& p : line) list.AddCircleFilled(p, theme::px(2), theme::text);
+}
+
+/// Costs at the left, positions at both ends below.
+void draw_scales(ImDrawList& list, const Plot& plot) {
+    const CostChart& chart = plot.chart;
+    const auto range = ValueRange{float(chart.scale.low), float(chart.scale.high)};
+    const std::vector<double> ticks = tick_values(range, false, false);
+    const std::vector<std::string> texts = tick_texts(ticks, false);
+    float free_above = plot.high.y + ImGui::GetTextLineHeight();
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const float y = std::round(plot.y(ticks[i]));
+        list.AddLine({plot.low.x, y}, {plot.high.x, y}, theme::line);
+        const ImVec2 size = ImGui::CalcTextSize(texts[i].c_str());
+        if (!chart.numbers || y + size.y > free_above) continue;
+        list.AddText({plot.low.x - size.x - theme::px(4), y - size.y / 2}, theme::dim_text, texts[i].c_str());
+        free_above = y;
+    }
+    const std::string low = number_text(double(plot.from()) * double(chart.unit));
+    const std::string high = number_text(double(plot.to()) * double(chart.unit));
+    const float y = plot.high.y + theme::px(2);
+    list.AddText({plot.low.x, y}, theme::dim_text, low.c_str());
+    list.AddText({plot.high.x - ImGui::CalcTextSize(high.c_str()).x, y}, theme::dim_text, high.c_str());
+    draw_centred(list, {(plot.low.x + plot.high.x) / 2, y + ImGui::GetTextLineHeight() / 2}, theme::text,
+                 axis_names[chart.axis]);
+}
+
+void draw_plane(ImDrawList& list, const Plot& plot, bool held) {
+    if (!plot.chart.plane) return;
+    const float x = std::round(plot.x(*plot.chart.plane));
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, theme::selected, theme::px(2));
+    const ImVec2 grip{x, plot.high.y - theme::px(6)};
+    list.AddCircleFilled(grip, theme::px(7), theme::outline);
+    list.AddCircleFilled(grip, theme::px(5), held ? theme::text : theme::selected);
+    if (Places* places = Places::current())
+        places->add(fmt::format("plane across {}", axis_names[plot.chart.axis]),
+                    {grip.x - theme::px(5), grip.y - theme::px(5)}, {grip.x + theme::px(5), grip.y + theme::px(5)});
+}
+
+std::string tag_text(const Plot& plot, const BuilderChoice& choice) {
+    return fmt::format("{} would cut here: {} at {}, cost {}.\n\nClick: the plane goes there.", choice.builder,
+                       axis_names[choice.split->axis],
+                       number_text(double(choice.split->position) * double(plot.chart.unit)), number_text(choice.cost));
+}
+
+std::string curve_text(const Plot& plot, const std::vector<SplitCandidate>& curve, float position) {
+    const auto found = std::ranges::lower_bound(curve, position, {}, &SplitCandidate::position);
+    const SplitCandidate& c = found == curve.end() ? curve.back() : *found;
+    return fmt::format(
+        "{} at {}: cost {}, {} triangles below, {} above.\n\nDrag or click: the plane goes to the nearest end "
+        "of a triangle; with Shift held, anywhere. The chart of another axis turns it.",
+        axis_names[plot.chart.axis], number_text(double(c.position) * double(plot.chart.unit)), number_text(c.cost),
+        number_text(c.below), number_text(c.above));
+}
+
+/// The tag under the mouse; null where none is.
+const Tag* tag_at(const std::vector<Tag>& tags, ImVec2 mouse) {
+    const float reach = ImGui::GetTextLineHeight() / 2 + theme::px(1);
+    for (const Tag& tag : tags)
+        if (std::hypot(mouse.x - tag.centre.x, mouse.y - tag.centre.y) <= reach) return &tag;
+    return nullptr;
+}
+
+/// Where the plane goes for the mouse.
+std::optional<float> wanted(const Plot& plot, const std::vector<SplitCandidate>& curve) {
+    const float position = plot.position(ImGui::GetIO().MousePos.x);
+    return ImGui::GetIO().KeyShift ? std::optional(position) : nearest_candidate(curve, position);
+}
+
+}  // namespace
+
+ImU32 choice_colour(std::size_t choice) {
+    const Rgba8 c = category_colour(int(choice));
+    return IM_COL32(c.r, c.g, c.b, 255);
+}
+
+CostScale cost_scale(const CellState& cell) {
+    const CellCosts& costs = *cell.costs;
+    double low = std::min(costs.leaf_cost, costs.chosen_cost), high = std::max(costs.leaf_cost, costs.chosen_cost);
+    for (const ThinCurve& curve : cell.curves)
+        for (const ThinCurve::Point& point : curve.points) {
+            low = std::min(low, point.least);
+            high = std::max(high, point.most);
+        }
+    const double rim = std::max(0.05 * (high - low), 1e-3 * std::max(1.0, high));
+    return {low - rim, high + 4 * rim};  // room for the builders' numbers
+}
+
+std::optional<float> nearest_candidate(const std::vector<SplitCandidate>& curve, float position) {
+    if (curve.empty()) return std::nullopt;
+    const auto above = std::ranges::lower_bound(curve, position, {}, &SplitCandidate::position);
+    if (above == curve.begin()) return above->position;
+    const auto below = std::prev(above);
+    const bool lower = above == curve.end() || position - below->position < above->position - position;
+    return lower ? below->position : above->position;
+}
+
+CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
+    const std::vector<SplitCandidate>& curve = chart.cell.costs->curves[std::size_t(chart.axis)];
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(axis_names[chart.axis], size);
+    Places::note(fmt::format("across {}", axis_names[chart.axis]));
+    const float margin = chart.numbers ? theme::px(44) : theme::px(6);
+    const Plot plot{chart,
+                    {corner.x + margin, corner.y},
+                    {corner.x + size.x - theme::px(6), corner.y + size.y - ImGui::GetTextLineHeight() - theme::px(4)}};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(plot.low, plot.high, theme::sunken);
+    draw_scales(list, plot);
+    if (curve.empty()) {
+        draw_centred(list, {(plot.low.x + plot.high.x) / 2, (plot.low.y + plot.high.y) / 2}, theme::dim_text,
+                     "no plane");
+        return {};
+    }
+    const float leaf = std::round(plot.y(chart.cell.costs->leaf_cost));
+    chart::draw_stroke(list, {plot.low.x, leaf}, {plot.high.x, leaf}, chart::look_of(Ink::cpu), Stroke::dashed);
+    draw_curve(list, plot);
+    const std::vector<Tag> tags = tags_of(plot);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool active = ImGui::IsItemActive();
+    static const Tag* const none = nullptr;
+    const Tag* tag = ImGui::IsItemHovered() || active ? tag_at(tags, mouse) : none;
+    CostAnswer answer;
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID dragging = ImGui::GetID("dragging");
+    if (ImGui::IsItemActivated()) {
+        storage.SetBool(dragging, tag == nullptr);
+        if (tag)
+            answer.taken = &chart.cell.costs->choices[tag->choice];
+        else
+            answer.begins = true;
+    }
+    const bool drags = active && storage.GetBool(dragging);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (drags && (answer.begins || io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) answer.position = wanted(plot, curve);
+    draw_plane(list, plot, drags);
+    draw_tags(list, tags, drags ? nullptr : tag);
+    for (const Tag& t : tags)
+        if (Places* places = Places::current())
+            places->add(fmt::format("take {}", chart.cell.costs->choices[t.choice].builder),
+                        {t.centre.x - theme::px(4), t.centre.y - theme::px(4)},
+                        {t.centre.x + theme::px(4), t.centre.y + theme::px(4)});
+    if (ImGui::IsItemHovered() && !active) {
+        ImGui::SetMouseCursor(tag ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_ResizeEW);
+        widgets::read_out(tag ? tag_text(plot, chart.cell.costs->choices[tag->choice])
+                              : curve_text(plot, curve, plot.position(mouse.x)),
+                          false);
+    }
+    if (drags) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    return answer;
+}
+
+}  // namespace kd
