@@ -1,6 +1,7 @@
 #include "app/choices.h"
 
 #include "renderer/scene/needs.h"
+#include "viz/cell_colours.h"
 #include "viz/colormap.h"
 
 namespace kd {
@@ -56,6 +57,8 @@ std::vector<NamedValue<std::string>> builders() { return names_of(kd::builders()
 std::vector<NamedValue<std::string>> maps() { return names_of(kd::maps()); }
 std::vector<NamedValue<std::string>> colormaps() { return names_of(kd::colormaps()); }
 std::vector<NamedValue<Schedule>> schedules() { return ids_of<Schedule>(kd::schedules()); }
+
+std::vector<NamedValue<CellColour>> cell_colours() { return ids_of<CellColour>(all_cell_colours()); }
 
 std::vector<NamedValue<Pass>> rays() {
     std::vector<NamedValue<Pass>> choices;

@@ -66,6 +66,7 @@ namespace choices {
 [[nodiscard]] std::vector<NamedValue<Pass>> rays();
 [[nodiscard]] std::vector<NamedValue<Schedule>> schedules();
 [[nodiscard]] std::vector<NamedValue<int>> axes();
+[[nodiscard]] std::vector<NamedValue<CellColour>> cell_colours();
 
 }  // namespace choices
 

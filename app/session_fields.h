@@ -55,6 +55,7 @@ void visit_view(Visitor& v, AnyViewConfig& view) {
     });
     v.object("overlay", [&](auto& inner) {
         inner.flag("shown", view.overlay.show);
+        inner.choice("colour", view.overlay.colour, choices::cell_colours());
         inner.number("depth", view.overlay.max_depth, limits::depth);
         inner.flag("planes", view.overlay.planes);
         inner.flag("boxes", view.overlay.boxes);

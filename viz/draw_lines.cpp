@@ -56,16 +56,18 @@ struct Ink {
 
 class LinePainter {
   public:
-    LinePainter(const PinholeCamera& camera, const Frame& frame, const OverlayConfig& config)
+    LinePainter(const PinholeCamera& camera, const Frame& frame, const OverlayConfig& config,
+                std::span<const Rgba8> of_node)
         : projection_(camera, frame.width, frame.height), limit_(visible_depth(projection_, frame)), config_(config),
-          ink_(frame.width, frame.height) {}
+          of_node_(of_node), ink_(frame.width, frame.height) {}
 
     void add(const WorldLine& line) {
         const auto segment = projection_.project_segment(line.a, line.b);
         if (!segment) return;
         const double dx = segment->b.x - segment->a.x;
         const double dy = segment->b.y - segment->a.y;
-        const Rgba8 colour = depth_colour(line.depth, config_.max_depth);
+        const Rgba8 colour =
+            of_node_.empty() ? depth_colour(line.depth, config_.max_depth) : of_node_[std::size_t(line.node)];
         if (std::abs(dx) >= std::abs(dy)) {
             walk<true>(segment->a, segment->b, colour);
         } else {
@@ -134,6 +136,7 @@ class LinePainter {
     Projection projection_;
     Image<float> limit_;
     const OverlayConfig& config_;
+    std::span<const Rgba8> of_node_;
     Image<Ink> ink_;
 };
 
@@ -146,10 +149,10 @@ Rgba8 depth_colour(int depth, int max_depth) {
 }
 
 void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera,
-                const Frame& frame, const OverlayConfig& config) {
+                const Frame& frame, const OverlayConfig& config, std::span<const Rgba8> of_node) {
     assert(image.width == frame.width && image.height == frame.height);
     if (image.empty()) return;
-    LinePainter painter(camera, frame, config);
+    LinePainter painter(camera, frame, config, of_node);
     // Backwards, so that the first lines, the shallow ones, are on top.
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) painter.add(*line);
     painter.apply(image);

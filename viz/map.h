@@ -18,6 +18,7 @@
 namespace kd {
 
 struct LockstepLayer;  // renderer/trace/lockstep_layer.h
+struct NodeVisits;     // renderer/trace/node_visits.h
 
 /// Settings that some maps read.
 struct MapConfig {
@@ -54,13 +55,15 @@ struct ScalarMap {
     Image<float> values;
 };
 
-/// What some maps read beside a frame; each takes as long to make as tracing, and more.
+/// What some views read beside a frame; each takes as long to make as tracing, and more.
 struct BesideFrame {
     const JudgedLayer* judged = nullptr;
     const LockstepLayer* walks = nullptr;
+    const NodeVisits* visits = nullptr;  // read by colours of cells, not by maps
 
-    BesideFrame(const JudgedLayer* hits = nullptr, const LockstepLayer* groups = nullptr)
-        : judged(hits), walks(groups) {}
+    BesideFrame(const JudgedLayer* hits = nullptr, const LockstepLayer* groups = nullptr,
+                const NodeVisits* of_nodes = nullptr)
+        : judged(hits), walks(groups), visits(of_nodes) {}
 };
 
 /// A map of one of the families. Exactly one of `of_pixel`, `of_frame`, `of_judged` and `of_walks` is set; of maps over

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "renderer/kdtree/tree.h"
@@ -71,11 +72,12 @@ struct RayLeaf {
 [[nodiscard]] RayLeaf leaf_on_ray(const KdTree& tree, int node, const PinholeCamera& camera, int width, int height,
                                   int x, int y, const Hit& hit);
 
-/// Draws the lines over `image` with a dark one-pixel outline, coloured by depth; where behind `frame`'s primary hit
-/// they are left out if `hidden_line` and faint otherwise. `camera` must be the one the frame was traced with, and
-/// `image` and `frame` of one size. Where lines cross, the one nearer the start of the list is on top.
+/// Draws the lines over `image` with a dark one-pixel outline, each in the colour of its node, or by depth where
+/// `of_node` is empty; where behind `frame`'s primary hit they are left out if `hidden_line` and faint otherwise.
+/// `camera` must be the one the frame was traced with, and `image` and `frame` of one size. Where lines cross, the one
+/// nearer the start of the list is on top.
 void draw_lines(Image<Rgba8>& image, const std::vector<WorldLine>& lines, const PinholeCamera& camera,
-                const Frame& frame, const OverlayConfig& config);
+                const Frame& frame, const OverlayConfig& config, std::span<const Rgba8> of_node = {});
 
 /// Colour of lines at `depth`: pale yellow at the root to purple at max_depth and below.
 [[nodiscard]] Rgba8 depth_colour(int depth, int max_depth);

@@ -26,6 +26,7 @@
 #include "renderer/measure/ray_count.h"
 #include "renderer/trace/upper_bound.h"
 #include "viz/colormap.h"
+#include "viz/figure.h"
 #include "viz/unfinished.h"
 
 namespace kd {
@@ -116,11 +117,17 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
     const ViewConfig& view = session.view;
     const MapInfo* map = view.show_map ? find_map(view.map.map) : nullptr;
     const std::string no_map = "no map is drawn; add --map NAME";
-    for (const char* option : {"--rays", "--colormap", "--log", "--range", "--opacity", "--tile", "--schedule"})
+    for (const char* option : {"--log", "--range", "--opacity", "--tile", "--schedule"})
         refuse_idle(app, {{option, map != nullptr, no_map}});
+    const bool cells = view.overlay.show && view.overlay.colour != CellColour::depth;
+    const std::string no_colours = "no map is drawn; add --map NAME, or --overlay-colour";
+    refuse_idle(app, {{"--rays", map || needs_visits(view), no_colours}, {"--colormap", map || cells, no_colours}});
     const std::string no_splits = "no splits are drawn; add --overlay";
-    refuse_idle(app,
-                {{"--overlay-depth", view.overlay.show, no_splits}, {"--see-through", view.overlay.show, no_splits}});
+    refuse_idle(app, {{"--overlay-depth", view.overlay.show, no_splits},
+                      {"--overlay-colour", view.overlay.show, no_splits},
+                      {"--see-through", view.overlay.show, no_splits},
+                      {"--overlay-colour", !needs_visits(view) || session.trace.traversal != Traversal::naive,
+                       "the naive loop visits no cells; take depth or predicted"}});
     if (map) {
         const std::string categories = fmt::format("the map '{}' shows names, not numbers; leave it out", map->name);
         const bool numbers = map->kind != MapInfo::Kind::category;
@@ -130,7 +137,7 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
                                        "logarithmic scale; leave it out",
                                        map->name)},
                           {"--range", numbers, categories},
-                          {"--colormap", numbers, categories},
+                          {"--colormap", numbers || cells, categories},
                           {"--tile", map->over_tiles(), no_groups(*map)},
                           {"--schedule", map->over_tiles(), no_groups(*map)}});
     }
@@ -236,6 +243,9 @@ void add_map_options(CLI::App& app, RenderOptions& o) {
     add_number(app, "--overlay-depth", view.overlay.max_depth, limits::depth,
                fmt::format("Splits down to this depth [{}]", view.overlay.max_depth))
         ->group("Overlay");
+    add_choice(app, "--overlay-colour", view.overlay.colour, choices::cell_colours(),
+               "What the colour of a cell's lines says; visits are those of --rays [depth]")
+        ->group("Overlay");
     app.add_flag("--see-through", o.see_through, "Also splits behind surfaces, faintly")->group("Overlay");
 }
 
@@ -282,6 +292,7 @@ Command render_command() {
                 "  kdscope render scatter:10000 -o divergence.png --map divergence --tile 8x4 --tracer gl-fragment\n"
                 "  kdscope render rooms -o idle.png --map idle --schedule while-while --traversal restart\n"
                 "  kdscope render rooms -o wrong.png --map oracle --rules as-published\n"
+                "  kdscope render ball:9000 -o cells.png --overlay --overlay-colour ratio --rays shadow\n"
                 "  kdscope render kdscope-1.session.json -o again.png\n"
                 "  kdscope render cornell --needs --rounds 15 --tracer gl-fragment\n",
             declare};

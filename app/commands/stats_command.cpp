@@ -10,6 +10,7 @@
 #include "app/cli/text_table.h"
 #include "app/commands/commands.h"
 #include "app/commands/stats_divergence.h"
+#include "app/commands/stats_predicted.h"
 #include "app/commands/stats_traversals.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
@@ -23,6 +24,7 @@ namespace {
 struct StatsOptions : CommonOptions {
     bool every_builder = false;
     bool every_traversal = false;
+    bool predicted = false;
     bool json = false;
     DivergenceOptions divergence;
 };
@@ -156,20 +158,24 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
 }
 
 /// What the tables about rays do not read, and what only they do.
-void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversals) {
+void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversals, bool predicted) {
     const std::string alone = "cannot be given with --divergence; ask for one of them";
     const std::string no_trees = "--divergence, --ballot and --traversals walk one tree; leave one of them out";
-    const std::string no_walks = "the tables about the tree walk no rays; add --divergence, --ballot or --traversals";
-    const bool walks = divergence || ballot || traversals;
-    refuse_idle(app, {{"--ballot", !divergence, alone},
-                      {"--traversals", !divergence && !ballot, "cannot be given with --divergence or --ballot"},
-                      {"--traversal", !traversals, "--traversals shows all of them; leave one of them out"},
-                      {"--builders", !walks, no_trees},
-                      {"--rays", walks, no_walks},
-                      {"--csv", walks, no_walks},
-                      {"--svg", divergence, "only --divergence has a curve to draw; add it"},
-                      {"--maps", ballot, "only --ballot measures them; add it"},
-                      {"--tile", divergence, "only --divergence has groups to choose; add it"}});
+    const std::string no_walks =
+        "the tables about the tree walk no rays; add --divergence, --ballot, --traversals or --predicted";
+    const bool walks = divergence || ballot || traversals || predicted;
+    refuse_idle(app,
+                {{"--ballot", !divergence, alone},
+                 {"--traversals", !divergence && !ballot, "cannot be given with --divergence or --ballot"},
+                 {"--predicted", !divergence && !ballot && !traversals,
+                  "cannot be given with --divergence, --ballot or --traversals"},
+                 {"--traversal", !traversals, "--traversals shows all of them; leave one of them out"},
+                 {"--builders", !walks || predicted, no_trees},
+                 {"--rays", walks, no_walks},
+                 {"--csv", walks, no_walks},
+                 {"--svg", divergence || predicted, "only --divergence and --predicted have charts to draw; add one"},
+                 {"--maps", ballot, "only --ballot measures them; add it"},
+                 {"--tile", divergence, "only --divergence has groups to choose; add it"}});
     for (const char* shown : {"--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{shown, !traversals, "--traversals shows them with and without; leave one of them out"}});
     for (const char* camera : {"--eye", "--target", "--up", "--fov", "--camera"})
@@ -178,11 +184,13 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversa
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
     const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
-    check_uses(app, divergence, ballot, options.every_traversal);
+    check_uses(app, divergence, ballot, options.every_traversal, options.predicted);
+    refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    if (options.predicted)
+        return run_predicted(options, options.divergence, options.every_builder, options.json, context);
     if (ballot) return run_ballots(options, options.divergence, options.json, context);
     if (options.every_traversal) return run_traversals(options, options.divergence, options.json, context);
     if (divergence) return run_divergence(options, options.divergence, options.json, context);
-    refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
     note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
@@ -229,6 +237,8 @@ CommandBody declare(CLI::App& app) {
     app.add_flag("--builders", options->every_builder, "All builders side by side");
     app.add_flag("--json", options->json, "JSON instead of a table");
     app.add_flag("--traversals", options->every_traversal, "Instead: what every traversal visits, side by side");
+    app.add_flag("--predicted", options->predicted,
+                 "Instead: visits of nodes, counted and as the surface area heuristic predicts them");
     add_divergence_options(app, options->divergence);
     add_frame_options(app, *options);
     add_camera_options(app, *options);
@@ -245,7 +255,8 @@ Command stats_command() {
             "  kdscope stats scatter:10000 --builders --json\n"
             "  kdscope stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg\n"
             "  kdscope stats ball:9000 --ballot --size 128x128\n"
-            "  kdscope stats ball:9000 rooms scatter:10000 --traversals --rays primary\n",
+            "  kdscope stats ball:9000 rooms scatter:10000 --traversals --rays primary\n"
+            "  kdscope stats rooms --predicted --rays primary --svg predicted.svg\n",
             declare};
 }
 

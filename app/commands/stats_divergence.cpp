@@ -138,13 +138,12 @@ std::vector<TileShape> shapes_of(const DivergenceOptions& options) {
     return {{options.tile_width, options.tile_height}};
 }
 
-/// "ball:9000, primary rays, stack" as a file name with a number: chart names must not clash.
+}  // namespace
+
 std::string numbered(const std::string& path, std::size_t number) {
     const std::size_t dot = path.rfind(".svg");
     return number == 0 ? path : fmt::format("{}-{}.svg", path.substr(0, dot), number + 1);
 }
-
-}  // namespace
 
 std::vector<Pass> rays_of(const FlatScene& scene, const TraceConfig& config, const DivergenceOptions& options) {
     if (options.rays) return {*options.rays};
@@ -166,7 +165,7 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
              "Pixels of a group [widths from 4 to 1024]");
     app.get_option("--tile")->group("Divergence");
     app.add_option("--csv", o.csv, "Also all numbers as a table")->type_name("FILE")->group("Divergence");
-    app.add_option("--svg", o.svg, "Also efficiency against width, a picture per table")
+    app.add_option("--svg", o.svg, "Also a chart per table: efficiency against width, or visits against predicted ones")
         ->type_name("FILE")
         ->group("Divergence");
     app.add_option("--maps", o.maps,

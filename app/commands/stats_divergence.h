@@ -37,6 +37,9 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& options);
 [[nodiscard]] std::vector<Pass> rays_of(const FlatScene& scene, const TraceConfig& config,
                                         const DivergenceOptions& options);
 
+/// The path of chart `number`, from 0: "width.svg", "width-2.svg", ... Names of charts must not clash.
+[[nodiscard]] std::string numbered(const std::string& path, std::size_t number);
+
 /// Efficiency against width, per scene, traversal and kind of ray.
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);
 

@@ -131,6 +131,7 @@ void Engine::run_paper(bool quick) {
     stop_duel();
     cancel_needs();
     widths_.cancel();
+    visits_.cancel();
     PaperConfig config = paper_config(quick);
     config.base.seed = state_.session.seed;
     config.gpu = bool(options_.open_gl);
@@ -156,6 +157,8 @@ void Engine::keep_widths(bool wanted) {
     if (!wanted) widths_.cancel();
 }
 
+void Engine::keep_visits(bool wanted) { options_.visits = wanted; }
+
 bool Engine::poll() {
     const bool news = mailbox_.deliver();
     if (state_.building.active) state_.building.fraction = build_fraction_;
@@ -164,6 +167,7 @@ bool Engine::poll() {
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
     duels_.turn_to(configuration_shown(), duel_scale_);
     start_widths();
+    start_visits();
     start_cell();
     tree_view_.follow(tree_wish_, state_.world, state_.visits.world == state_.world ? state_.visits.visits : nullptr);
     if (state_.world) planes_.turn_to(configuration_shown(), state_.world->loaded);

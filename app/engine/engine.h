@@ -37,6 +37,7 @@ struct EngineOptions {
     std::function<void()> wake;  // called on any thread when poll() has something to fetch
     bool duel = true;            // time CPU and GPU while idle
     bool widths = false;         // measure efficiency against width while idle
+    bool visits = false;         // count visits of nodes while idle, though no cell is coloured by them
 };
 
 class Engine {
@@ -84,6 +85,8 @@ class Engine {
     void allow_duel(bool allowed, int scale = 0);
     /// Measures efficiency against width of the rays shown, whenever the picture stays.
     void keep_widths(bool wanted);
+    /// Counts how often the rays shown visit each node, whenever the picture stays.
+    void keep_visits(bool wanted);
     void dismiss_messages() { state_.messages.clear(); }
     void say(bool error, std::string text);
 
@@ -120,6 +123,8 @@ class Engine {
     void receive(const DuelReply& reply);
     void stop_duel();
     void start_widths();
+    void start_visits();
+    [[nodiscard]] bool rests() const;
     void start_sample();
     void receive(const SampleReply& reply);
     void note_frame(const TracedFrame& traced);
@@ -174,7 +179,8 @@ class Engine {
     Mailbox mailbox_;
     DuelBook duels_{state_.duel};
     StabilityBench stability_{mailbox_, state_.stability};
-    WidthBench widths_{mailbox_, state_.widths};
+    FrameBench widths_{mailbox_, state_.widths};
+    FrameBench visits_{mailbox_, state_.visits};
     PaperBench paper_{mailbox_, state_.paper};
     CellBench cell_{mailbox_, state_.cell};
     TreeViewBench tree_view_{mailbox_, state_.tree_view};

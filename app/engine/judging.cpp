@@ -29,16 +29,8 @@ void Judging::judge(const TracedFrame& traced, Pass rays, int threads, const std
 std::shared_ptr<const LockstepLayer> Judging::walk(const TracedFrame& traced, const MapConfig& map, int threads,
                                                    const std::stop_token& stop,
                                                    const std::function<void(float)>& progress) {
-    const Frame& frame = *traced.frame;
-    std::optional<LockstepLayer> walks = walk_frame({.scene = traced.world->loaded->flat,
-                                                     .tree = traced.world->tree,
-                                                     .config = traced.config,
-                                                     .camera = traced.lens,
-                                                     .width = frame.width,
-                                                     .height = frame.height,
-                                                     .rays = map.rays,
-                                                     .threads = threads},
-                                                    map.schedule, map.tile_width, map.tile_height, stop, progress);
+    std::optional<LockstepLayer> walks = walk_frame(walk_request(traced, map.rays, threads), map.schedule,
+                                                    map.tile_width, map.tile_height, stop, progress);
     return walks ? std::make_shared<const LockstepLayer>(*std::move(walks)) : nullptr;
 }
 

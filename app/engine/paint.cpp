@@ -62,26 +62,28 @@ Frame enlarge_hits(const Frame& frame, int factor) {
     return result;
 }
 
-Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, const std::optional<MapView>& map) {
+Image<Rgba8> paint_image(const TracedFrame& traced, const ViewConfig& view, const std::optional<MapView>& map,
+                         const std::optional<CellColours>& cells) {
     const Frame& frame = *traced.frame;
     const KdTree& tree = traced.world->tree;
     if (traced.scale <= coarsest_lines || !view.overlay.show)
-        return make_picture(frame, tree, traced.camera, view, map);
+        return make_picture(frame, tree, traced.camera, view, map, cells);
 
     ViewConfig without_lines = view;
     without_lines.overlay.show = false;
     const int factor = traced.scale / coarsest_lines;
-    Image<Rgba8> image = enlarge(make_picture(frame, tree, traced.camera, without_lines, map), factor);
+    Image<Rgba8> image = enlarge(make_picture(frame, tree, traced.camera, without_lines, map, {}), factor);
     const Frame hits = enlarge_hits(frame, factor);
     draw_lines(image, split_lines(tree, view.overlay), pinhole(traced.camera, hits.width, hits.height), hits,
-               view.overlay);
+               view.overlay, cells ? std::span<const Rgba8>(cells->of_node) : std::span<const Rgba8>());
     return image;
 }
 
-/// What the view's map is made from, where it is there.
+/// What the view's map and cells are made from, where it is there.
 BesideFrame beside_of(const PaintRequest& request) {
-    if (!is_complete_for(request.traced, request.view, false)) return {};
-    return {request.traced.judged.get(), needs_walks(request.view) ? request.traced.walks.get() : nullptr};
+    const NodeVisits* visits = request.traced.visits.get();
+    if (!is_complete_for(request.traced, request.view, false)) return {nullptr, nullptr, visits};
+    return {request.traced.judged.get(), needs_walks(request.view) ? request.traced.walks.get() : nullptr, visits};
 }
 
 MapMeaning meaning_of(MapView view) {
@@ -94,10 +96,16 @@ MapMeaning meaning_of(MapView view) {
 
 Picture paint(const PaintRequest& request) {
     Picture picture;
-    std::optional<MapView> map = view_map(*request.traced.frame, request.view, beside_of(request));
-    picture.image = paint_image(request.traced, request.view, map);
+    const BesideFrame beside = beside_of(request);
+    std::optional<MapView> map = view_map(*request.traced.frame, request.view, beside);
+    std::optional<CellColours> cells = view_cells(request.traced.world->tree, request.view, beside);
+    picture.image = paint_image(request.traced, request.view, map, cells);
     picture.view = request.view;
     if (map) picture.map = meaning_of(std::move(*map));
+    if (cells) {
+        CellScale& scale = cells->scale;
+        picture.cells = CellMeaning{{std::move(scale.map), std::move(scale.summary), {}}, std::move(scale.heat)};
+    }
     picture.traced = request.traced;
     picture.generation = request.generation;
     return picture;

@@ -221,6 +221,8 @@ void Engine::note_gl(const GlStatus& gl) {
 }
 
 void Engine::receive(TracedFrame traced) {
+    // Cells keep their colours until the rays of the new frame are counted.
+    if (traced_.world == traced.world) traced.visits = traced_.visits;
     traced_ = std::move(traced);
     note_frame(traced_);
     note_planes(traced_);

@@ -23,6 +23,7 @@
 #include "app/frame/frame_time.h"
 #include "app/session.h"
 #include "renderer/measure/needs_costs.h"
+#include "renderer/measure/walk_recorder.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/frame.h"
 #include "renderer/trace/judged_layer.h"
@@ -49,7 +50,21 @@ struct TracedFrame {
     UnfinishedPixels unfinished;                      // of the frame's own pixels
     std::array<CounterTotals, pass_count> totals;     // of all pixels where `scale` is 1, else zeros
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
+    /// Of the nodes of `world` by the rays of this frame, or of one before it; null where none were counted.
+    std::shared_ptr<const NodeVisits> visits = {};
 };
+
+/// What walks the rays of a frame once more.
+[[nodiscard]] inline WalkRequest walk_request(const TracedFrame& traced, Pass rays, int threads) {
+    return {.scene = traced.world->scene(),
+            .tree = traced.world->tree,
+            .config = traced.config,
+            .camera = traced.lens,
+            .width = traced.frame->width,
+            .height = traced.frame->height,
+            .rays = rays,
+            .threads = threads};
+}
 
 /// Whether `traced` holds what the map of `view` is made from beside the frame: of all pixels, or of those of a sketch
 /// at least.
@@ -66,11 +81,18 @@ struct MapMeaning {
     std::vector<std::int64_t> category_pixels;  // of each of labels.categories
 };
 
+/// The same of cells, on their own scale.
+struct CellMeaning {
+    MapMeaning meaning;
+    HeatmapConfig heat;
+};
+
 /// A finished picture in 8 bits, and what is in it.
 struct Picture {
     Image<Rgba8> image;
     ViewConfig view;
     std::optional<MapMeaning> map;
+    std::optional<CellMeaning> cells;  // what colours of cells mean, where that is not their depth
     TracedFrame traced;
     bool sketch = false;           // painted from some of the frame's pixels, because all of them take long
     std::uint64_t generation = 0;  // EngineState::generation that it answers

@@ -27,12 +27,11 @@ struct TreeViewWish {
     bool operator==(const TreeViewWish&) const = default;
 };
 
-/// What the colours of nodes say. Ratios are on a logarithmic scale around 1, counts on one of their own.
+/// What the colours of nodes say.
 struct NodeColours {
-    ValueRange range;
-    bool logarithmic = false;
-    std::string colormap;
     std::vector<Rgba8> of;  // by node; empty where nobody has counted yet
+    ValueRange range;       // values at the two ends of the colours
+    std::string colormap;
 };
 
 /// `counted` may be null where `colour` is the depth.

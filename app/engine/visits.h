@@ -2,22 +2,22 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "app/engine/background.h"
+#include "app/engine/frame_bench.h"
 #include "app/engine/world.h"
+#include "app/report/visits_chart.h"
 #include "renderer/measure/node_visits.h"
 
 namespace kd {
 
-struct VisitState {
-    bool active = false;
-    bool outdated = true;  // the visits are of another frame or other rays than those shown
-    float fraction = 0;    // 0..1
-    Pass rays = Pass::rt_prim;
-    std::shared_ptr<const NodeVisits> visits;  // of `rays`; null until counted
+struct VisitState : FrameBenchState {
+    std::shared_ptr<const NodeVisits> visits;  // null until counted
     std::shared_ptr<const World> world;        // whose nodes these are
-    std::string error;                         // why there are none
+    VisitAgreement agreement;                  // of these visits with the surface area heuristic
+    std::shared_ptr<const VisitScatter> scatter;
 };
+
+/// Counts the visits of `rays` of a frame into `state`, which must outlive the work.
+[[nodiscard]] FrameBench::Work count_visits(const TracedFrame& traced, Pass rays, int threads, VisitState& state);
 
 }  // namespace kd

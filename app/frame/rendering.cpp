@@ -8,6 +8,7 @@
 #include "app/report/machine_info.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/frame_walks.h"
+#include "renderer/measure/node_visits.h"
 #include "viz/figure.h"
 
 namespace kd {
@@ -52,18 +53,23 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
                                show("comparing with double precision"));
         if (!r.judged) throw Interrupted();
     }
+    const MapConfig& map = s.view.map;
+    const WalkRequest walks{.scene = r.scene,
+                            .tree = r.tree,
+                            .config = s.trace,
+                            .camera = camera,
+                            .width = s.width,
+                            .height = s.height,
+                            .rays = map.rays,
+                            .threads = s.threads};
     if (needs_walks(s.view)) {
-        const MapConfig& map = s.view.map;
-        r.walks = walk_frame({.scene = r.scene,
-                              .tree = r.tree,
-                              .config = s.trace,
-                              .camera = camera,
-                              .width = s.width,
-                              .height = s.height,
-                              .rays = map.rays,
-                              .threads = s.threads},
-                             map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
+        r.walks =
+            walk_frame(walks, map.schedule, map.tile_width, map.tile_height, context.stop, show("walking in groups"));
         if (!r.walks) throw Interrupted();
+    }
+    if (needs_visits(s.view)) {
+        r.visits = count_node_visits(walks, context.stop, show("counting visits"));
+        if (!r.visits) throw Interrupted();
     }
     return r;
 }

@@ -13,6 +13,7 @@
 #include "renderer/measure/measured_on.h"
 #include "renderer/scene/needs.h"
 #include "renderer/trace/lockstep_layer.h"
+#include "renderer/trace/node_visits.h"
 #include "viz/text.h"
 
 namespace kd {
@@ -27,6 +28,7 @@ struct Rendering {
     Frame frame;
     std::optional<JudgedLayer> judged;   // where the map shown asks for it
     std::optional<LockstepLayer> walks;  // likewise
+    std::optional<NodeVisits> visits;    // where the colours of cells ask for them
     FrameTime time;
     std::string renderer, clock;
     bool software_gl = false;
@@ -42,7 +44,7 @@ struct Rendering {
 [[nodiscard]] Rendering render(const CommonOptions& options, Session session, CommandContext& context);
 
 [[nodiscard]] inline BesideFrame beside(const Rendering& r) {
-    return {r.judged ? &*r.judged : nullptr, r.walks ? &*r.walks : nullptr};
+    return {r.judged ? &*r.judged : nullptr, r.walks ? &*r.walks : nullptr, r.visits ? &*r.visits : nullptr};
 }
 
 /// What its figures' captions tell.

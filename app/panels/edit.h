@@ -138,6 +138,9 @@ inline constexpr const char* nodes_panel = "NODES";
 /// Whether that bottom panel is to be seen.
 [[nodiscard]] bool shows(const Edit& edit, const char* panel);
 
+/// The bottom panel that has visits of nodes counted while it is shown.
+inline constexpr const char* predicted_panel = "PREDICTED";
+
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);
 

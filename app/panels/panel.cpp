@@ -12,6 +12,7 @@ void draw_export_panel(const EngineState& state, Edit& edit);
 void draw_time_panel(const EngineState& state, Edit& edit);
 void draw_stability_panel(const EngineState& state, Edit& edit);
 void draw_divergence_panel(const EngineState& state, Edit& edit);
+void draw_predicted_panel(const EngineState& state, Edit& edit);
 void draw_paper_panel(const EngineState& state, Edit& edit);
 void draw_needs_panel(const EngineState& state, Edit& edit);
 void draw_error_time_panel(const EngineState& state, Edit& edit);
@@ -31,6 +32,8 @@ std::span<const Panel> panels() {
          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."},
         {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel,
          "What groups of 4 to 1024 pixels lose in lockstep. Key Shift D."},
+        {predicted_panel, PanelPlace::bottom, 0, draw_predicted_panel,
+         "How often rays visit each node, against what the surface area heuristic predicts. Key Shift P."},
         {"PAPER", PanelPlace::bottom, 0, draw_paper_panel,
          "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y."},
         {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel,

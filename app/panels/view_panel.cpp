@@ -86,6 +86,24 @@ void draw_split_depth(OverlayConfig& overlay) {
         overlay.show = true;
 }
 
+/// What the lines' colours say. Counted visits need walks through a tree.
+void draw_cell_colours(Edit& edit) {
+    OverlayConfig& overlay = edit.session.view.overlay;
+    std::vector<widgets::Option> options;
+    for (const CellColourInfo& colour : all_cell_colours()) {
+        options.push_back({std::string(colour.name), std::string(colour.summary)});
+        if (needs_visits(colour.id) && edit.session.trace.traversal == Traversal::naive)
+            options.back().missing = "the loop over all triangles visits no cells";
+    }
+    int chosen = int(overlay.colour);
+    if (widgets::choice("split colours", chosen, options,
+                        "What the colours of the splits say. Visits are those of the rays above, counted when nobody "
+                        "works. Option --overlay-colour.")) {
+        overlay.colour = CellColour(chosen);
+        overlay.show = true;
+    }
+}
+
 /// Why the map chosen has no logarithmic scale; empty where it can have one.
 std::string no_log(const Edit& edit) {
     if (edits::takes_log(edit)) return "";
@@ -130,6 +148,7 @@ void draw_view_panel(const EngineState& state, Edit& edit) {
     draw_map(state, edit);
     draw_range(state, edit);
     draw_split_depth(view.overlay);
+    draw_cell_colours(edit);
     const MapInfo* map = find_map(view.map.map);
     if (map && map->over_tiles()) draw_tiles(edit);
     draw_colours(edit);

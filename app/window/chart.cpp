@@ -252,6 +252,8 @@ std::optional<Pick> draw(const char* id, const Chart& chart, const DrawOptions& 
     draw_curves(list, plane);
     if (const auto& marked = options.marked_point)
         draw_ring(list, plane.at(marked->curve, chart.curves[marked->curve].points[marked->point]), 8, theme::selected);
+    if (const auto& place = options.marked_place)
+        draw_ring(list, {plane.x(place->x), plane.y(place->y)}, 8, theme::selected);
     if (!options.click.empty()) note_points(id + 2, plane);
     const bool picked = clicked && !options.click.empty() && under_mouse;
     if (under_mouse) widgets::read_out(read_out(chart, *under_mouse, options.click), picked);

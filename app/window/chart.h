@@ -16,9 +16,10 @@ struct Pick {
 
 struct DrawOptions {
     ImVec2 size{};
-    std::string click = {};                 // what a click on a point does, told under the mouse; empty: nothing
-    std::optional<double> marked_x = {};    // pointed out by an upright line
-    std::optional<Pick> marked_point = {};  // pointed out by a ring
+    std::string click = {};                       // what a click on a point does, told under the mouse; empty: nothing
+    std::optional<double> marked_x = {};          // pointed out by an upright line
+    std::optional<Pick> marked_point = {};        // pointed out by a ring
+    std::optional<ChartPoint> marked_place = {};  // likewise, whether a point stands there or not
 };
 
 /// The names of curves and lines with a piece of each, in as many rows as they need.

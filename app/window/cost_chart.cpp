@@ -1,6 +1,7 @@
 #include "app/window/cost_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -8,7 +9,6 @@
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
-#include "viz/colormap.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -163,8 +163,9 @@ std::optional<float> wanted(const Plot& plot, const std::vector<SplitCandidate>&
 }  // namespace
 
 ImU32 choice_colour(std::size_t choice) {
-    const Rgba8 c = category_colour(int(choice));
-    return IM_COL32(c.r, c.g, c.b, 255);
+    // In an order that begins with the bright ones, and without the purple of what is selected.
+    constexpr std::array<Ink, 6> inks{Ink::reference, Ink::cpu, Ink::gpu, Ink::red, Ink::green, Ink::grey};
+    return chart::look_of(inks[choice % inks.size()]).colour;
 }
 
 CostScale cost_scale(const CellState& cell) {

@@ -127,7 +127,8 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
     write_png(path,
               bare ? state.picture->image
                    : make_figure(*traced.frame, traced.world->tree, traced.camera, state.picture->view, title_of(state),
-                                 caption_of(facts_of(state)), font, 1, {traced.judged.get(), traced.walks.get()}),
+                                 caption_of(facts_of(state)), font, 1,
+                                 {traced.judged.get(), traced.walks.get(), traced.visits.get()}),
               png_text(state));
     return path;
 }

@@ -55,6 +55,8 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::toggle_divergence(e); }},
     {GLFW_KEY_D, GLFW_MOD_SHIFT, "Shift D", see, "efficiency against width, or times",
      [](State, Edit& e) { edits::switch_bottom(e, divergence_panel); }},
+    {GLFW_KEY_P, GLFW_MOD_SHIFT, "Shift P", see, "visits against prediction, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, predicted_panel); }},
     {GLFW_KEY_S, plain, "S", see, "splits on or off",
      [](State, Edit& e) { e.session.view.overlay.show = !e.session.view.overlay.show; }},
     {GLFW_KEY_Y, plain, "Y", see, "stability cases, or times",

@@ -109,12 +109,11 @@ void draw_ticks(ImDrawList& list, ImVec2 top, float height, const std::vector<Le
     }
 }
 
-void add_bar(Card& card, float height, const Picture& picture, const LegendText& text) {
-    const MapSummary& summary = picture.map->summary;
+void add_bar(Card& card, float height, const HeatmapConfig& heat, const MapSummary& summary, const LegendText& text) {
     card.gap(10);
     card.drawing(height, [&](ImDrawList& list, ImVec2 top) {
         draw_histogram(list, top, height, summary);
-        draw_colours(list, top, height, get_colormap(picture.view.heat.colormap), summary);
+        draw_colours(list, top, height, get_colormap(heat.colormap), summary);
         draw_ticks(list, top, height, text.ticks);
     });
     card.gap(10);
@@ -123,14 +122,13 @@ void add_bar(Card& card, float height, const Picture& picture, const LegendText&
 /// How much of a legend there is room for.
 enum class Extent { whole, bar_alone };
 
-void add_map(Card& card, float bar, const Picture& picture, Extent extent) {
-    const MapMeaning& map = *picture.map;
-    const LegendText text = legend_text(map.labels, picture.view.heat, map.summary, map.category_pixels);
+void add_map(Card& card, float bar, const MapMeaning& map, const HeatmapConfig& heat, Extent extent) {
+    const LegendText text = legend_text(map.labels, heat, map.summary, map.category_pixels);
     card.text(text.title, theme::text, theme::font(theme::Type::body));
     card.text(text.subject, theme::dim_text, theme::font(theme::Type::body));
     if (!text.scale.empty()) card.text(text.scale, theme::dim_text, theme::font(theme::Type::body));
     if (map.labels.categories.empty())
-        add_bar(card, bar, picture, text);
+        add_bar(card, bar, heat, map.summary, text);
     else
         card.gap(6);
     if (extent == Extent::bar_alone && map.labels.categories.empty()) return;
@@ -152,14 +150,17 @@ void add_depths(Card& card, const OverlayConfig& overlay, int deepest) {
         }
     });
     card.row("0: root", std::to_string(last));
-    card.row("cells of the ray", "", theme::ray_cells);
 }
 
 void add_all(Card& card, float bar, const Picture& picture, Extent extent) {
-    if (picture.map) add_map(card, bar, picture, extent);
+    if (picture.map) add_map(card, bar, *picture.map, picture.view.heat, extent);
     if (!picture.view.overlay.show) return;
     if (picture.map) card.gap(6);
-    add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);
+    if (picture.cells)
+        add_map(card, bar, picture.cells->meaning, picture.cells->heat, extent);
+    else
+        add_depths(card, picture.view.overlay, picture.traced.world->stats.deepest);
+    card.row("cells of the ray", "", theme::ray_cells);
 }
 
 /// Rows first: their width says how texts wrap.

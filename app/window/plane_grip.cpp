@@ -145,7 +145,7 @@ void PlaneGrip::draw(ImDrawList& list, const Rectangle& area, const EngineState&
     if (!view) return;
     const std::vector<ImVec2> outline = view->outline();
     if (outline.size() < 3) return;
-    list.AddConvexPolyFilled(outline.data(), int(outline.size()), theme::faded(theme::selected, 0.16f));
+    list.AddConvexPolyFilled(outline.data(), int(outline.size()), theme::faded(theme::selected, 0.25f));
     list.AddPolyline(outline.data(), int(outline.size()), theme::outline, ImDrawFlags_Closed, theme::px(3.5f));
     list.AddPolyline(outline.data(), int(outline.size()), theme::selected, ImDrawFlags_Closed, theme::px(1.5f));
     if (!shows(edit, splits_panel)) return;

@@ -107,6 +107,19 @@ Json json_of(const WidthState& state) {
     return json;
 }
 
+/// What PREDICTED shows, and what cells are coloured by.
+Json json_of(const VisitState& state) {
+    Json json{{"active", state.active}, {"outdated", state.outdated}, {"error", state.error}};
+    if (!state.visits) return json;
+    json["rays"] = state.visits->rays;
+    json["kind"] = ray_names[std::size_t(state.visits->kind)];
+    json["rho"] = json_number(float(state.agreement.rho));
+    json["interior"] = state.agreement.counted.interior;
+    json["predicted_interior"] = state.agreement.predicted.interior;
+    json["curves"] = state.scatter->chart.curves.size();
+    return json;
+}
+
 /// What PAPER shows: how far it is, and how many figures and verdicts there are.
 Json json_of(const PaperState& state, const PaperView& view) {
     Json json{{"active", state.active}, {"what", state.what}, {"error", state.error}, {"figure", view.figure}};
@@ -224,6 +237,10 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     json["bottom"] = edit.window.bottom;
     json["stability"] = json_of(state.stability, edit.window.stability);
     json["widths"] = json_of(state.widths);
+    json["visits"] = json_of(state.visits);
+    if (state.picture->cells)
+        json["cells"] = {{"title", state.picture->cells->meaning.labels.title},
+                         {"counted", state.picture->cells->meaning.summary.count}};
     json["paper"] = json_of(state.paper, edit.window.paper);
     json["convergence"] = json_of(state.convergence);
     json["messages"] = messages_json(state);

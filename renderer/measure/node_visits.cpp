@@ -5,10 +5,10 @@
 #include <cmath>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "renderer/cpu/threads.h"
 #include "renderer/cpu/tile_job.h"
-#include "renderer/kdtree/stats.h"
 #include "renderer/measure/error_time/lines.h"
 #include "renderer/measure/error_time/ranking.h"
 #include "renderer/trace/observer.h"
@@ -49,7 +49,7 @@ class VisitTables {
 
     [[nodiscard]] NodeVisits take() {
         const std::scoped_lock lock(mutex_);
-        if (idle_.empty()) return {std::vector<std::uint64_t>(nodes_), 0};
+        if (idle_.empty()) return {.count = std::vector<std::uint64_t>(nodes_)};
         NodeVisits table = std::move(idle_.back());
         idle_.pop_back();
         return table;
@@ -145,20 +145,17 @@ VisitsPerRay per_ray(const KdTree& tree, const std::vector<Number>& visits, std:
 
 }  // namespace
 
-std::vector<double> NodeVisits::predicted(const KdTree& tree) const {
-    std::vector<double> visits = visit_probabilities(tree);
-    for (double& v : visits) v *= double(rays);
-    return visits;
-}
-
 std::optional<NodeVisits> count_node_visits(const WalkRequest& request, std::stop_token stop,
                                             const std::function<void(float)>& progress) {
     SceneView view(request.scene, request.tree);
     view.prepare(request.config);
     Frame none;  // nothing is drawn
     const std::vector<Tile> tiles = tiles_of(request.width, request.height, 16);
-    return count_parts(request.tree.nodes.size(), tiles.size(), request.threads, stop, progress,
-                       [&](std::size_t part, NodeVisits& into) { walk_tile(request, view, none, tiles[part], into); });
+    auto visits =
+        count_parts(request.tree.nodes.size(), tiles.size(), request.threads, stop, progress,
+                    [&](std::size_t part, NodeVisits& into) { walk_tile(request, view, none, tiles[part], into); });
+    if (visits) visits->kind = request.rays;
+    return visits;
 }
 
 std::optional<NodeVisits> count_line_visits(const KdTree& tree, std::int64_t lines, unsigned seed, int threads,

@@ -1,26 +1,17 @@
-// How often the rays of a frame come by each node, against what the surface area heuristic expects.
+// Counts how often the rays of a frame come by each node, and holds that against what the surface area heuristic
+// expects.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/measure/walk_recorder.h"
+#include "renderer/trace/node_visits.h"
 
 namespace kd {
-
-/// Of one kind of rays.
-struct NodeVisits {
-    std::vector<std::uint64_t> count;  // by node: visits, repeated ones included
-    std::uint64_t rays = 0;            // that visit any node: those that meet the tree's bounds
-
-    /// What uniform lines without occlusion would make of so many rays: rays * area(node) / area(root)
-    /// (MacDonald & Booth 1990).
-    [[nodiscard]] std::vector<double> predicted(const KdTree& tree) const;
-};
 
 /// Visits and tests of one ray, on average over those that meet the tree's bounds.
 struct VisitsPerRay {

@@ -65,7 +65,7 @@ inline Session unlike_the_default() {
     opacity = 0.25f;
     auto& [show, colour, depth, planes, boxes, hidden_line, line_opacity] = overlay;
     show = true;
-    (void)colour;
+    colour = CellColour::ratio;
     depth = max_tree_depth;
     planes = boxes = hidden_line = false;
     line_opacity = 0.1f;

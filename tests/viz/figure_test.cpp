@@ -58,12 +58,14 @@ TEST(MakeLegend, ExplainsWhatIsShown) {
     ViewConfig view;
     const auto map = view_map(test::ball_frame(), view);
     ASSERT_TRUE(map);
-    EXPECT_EQ(make_legend(tree, view, map, Font{}), draw_legend(map->map, view.heat, map->summary, Font{}));
+    EXPECT_EQ(make_legend(tree, view, map, std::nullopt, Font{}),
+              draw_legend(map->map, view.heat, map->summary, Font{}));
     view.overlay.show = true;
-    EXPECT_GT(make_legend(tree, view, map, Font{}).height, make_legend(tree, view, std::nullopt, Font{}).height);
+    EXPECT_GT(make_legend(tree, view, map, std::nullopt, Font{}).height,
+              make_legend(tree, view, std::nullopt, std::nullopt, Font{}).height);
     view.overlay.show = view.show_map = false;
     EXPECT_FALSE(view_map(test::ball_frame(), view));
-    EXPECT_TRUE(make_legend(tree, view, std::nullopt, Font{}).empty());
+    EXPECT_TRUE(make_legend(tree, view, std::nullopt, std::nullopt, Font{}).empty());
 }
 
 TEST(MakeFigure, ContainsThePicture) {
