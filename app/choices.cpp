@@ -12,6 +12,8 @@ std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "
 
 std::string_view name_of(LeafLists lists) { return lists == LeafLists::references ? "references" : "duplicated"; }
 
+std::string name_of(NodeEncoding nodes) { return std::to_string(bytes_of(nodes)); }
+
 std::string option_name(Pass rays) {
     std::string name(ray_names[std::size_t(rays)]);
     std::ranges::replace(name, ' ', '-');
@@ -49,6 +51,7 @@ std::vector<NamedValue<std::string>> names_of(const Table& table) {
 
 std::vector<NamedValue<TracerKind>> tracers() { return named({TracerKind::cpu, TracerKind::gl_fragment}); }
 std::vector<NamedValue<LeafLists>> leaf_lists() { return named({LeafLists::references, LeafLists::duplicated}); }
+std::vector<NamedValue<NodeEncoding>> node_encodings() { return named({NodeEncoding::float4, NodeEncoding::packed}); }
 std::vector<NamedValue<EarlyZ>> early_z() { return named({EarlyZ::working, EarlyZ::as_published}); }
 std::vector<NamedValue<Traversal>> traversals() { return ids_of<Traversal>(kd::traversals()); }
 std::vector<NamedValue<Rules>> rules() { return ids_of<Rules>(all_rules()); }

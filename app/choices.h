@@ -48,6 +48,8 @@ template <class T>
 /// "cpu", "gl-fragment".
 [[nodiscard]] std::string_view name_of(TracerKind tracer);
 [[nodiscard]] std::string_view name_of(LeafLists lists);
+/// Bytes of a node: "16", "8".
+[[nodiscard]] std::string name_of(NodeEncoding nodes);
 [[nodiscard]] std::string_view name_of(EarlyZ early_z);
 /// Of a pass's rays, as --rays takes it: "reflection-shadow".
 [[nodiscard]] std::string option_name(Pass rays);
@@ -56,6 +58,7 @@ namespace choices {
 
 [[nodiscard]] std::vector<NamedValue<TracerKind>> tracers();
 [[nodiscard]] std::vector<NamedValue<LeafLists>> leaf_lists();
+[[nodiscard]] std::vector<NamedValue<NodeEncoding>> node_encodings();
 [[nodiscard]] std::vector<NamedValue<EarlyZ>> early_z();
 [[nodiscard]] std::vector<NamedValue<Traversal>> traversals();
 [[nodiscard]] std::vector<NamedValue<Rules>> rules();
@@ -65,8 +68,8 @@ namespace choices {
 [[nodiscard]] std::vector<NamedValue<std::string>> colormaps();
 [[nodiscard]] std::vector<NamedValue<Pass>> rays();
 [[nodiscard]] std::vector<NamedValue<Schedule>> schedules();
-[[nodiscard]] std::vector<NamedValue<int>> axes();
 [[nodiscard]] std::vector<NamedValue<CellColour>> cell_colours();
+[[nodiscard]] std::vector<NamedValue<int>> axes();
 
 }  // namespace choices
 

@@ -76,6 +76,7 @@ void visit_session(Visitor& v, AnySession& s) {
     v.choice("traversal", s.trace.traversal, choices::traversals());
     v.choice("rules", s.trace.rules, choices::rules());
     v.choice("leaf_lists", s.trace.leaf_lists, choices::leaf_lists());
+    v.node_bytes("nodes", s.trace.nodes);
     v.number("short_stack", s.trace.short_stack, limits::short_stack);
     v.flag("optimised_ropes", s.trace.optimised_ropes);
     v.flag("eye_leaf", s.trace.eye_leaf);

@@ -86,6 +86,16 @@ void FieldReader::point(const char* key, Vec3& value) {
     value = {v[0], v[1], v[2]};
 }
 
+void FieldReader::node_bytes(const char* key, NodeEncoding& value) {
+    const Json* found = find(key);
+    if (!found) return;
+    const auto known = choices::node_encodings();
+    const auto match = [&](const NamedValue<NodeEncoding>& choice) { return *found == bytes_of(choice.value); };
+    const auto wanted = std::ranges::find_if(known, match);
+    if (wanted == known.end()) refuse_value(*found, key, "16 or 8, the bytes of a node");
+    value = wanted->value;
+}
+
 void FieldReader::set(const char* key, FeatureSet& value, const std::vector<NamedValue<Feature>>& choices) {
     const Json* found = find(key);
     if (!found) return;

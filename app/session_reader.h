@@ -28,6 +28,7 @@ class FieldReader {
     void choice(const char* key, T& value, const std::vector<NamedValue<T>>& choices) {
         if (const Json* found = find(key)) value = choice_in(*found, key, choices);
     }
+    void node_bytes(const char* key, NodeEncoding& value);
     void set(const char* key, FeatureSet& value, const std::vector<NamedValue<Feature>>& choices);
     void value_range(const char* key, HeatmapConfig& heat);
     void camera(const char* key, std::optional<Camera>& value);

@@ -19,6 +19,8 @@ done
 echo "$folder/rooms-oracle.png"
 "$kdscope" render sheet:10000 --map steps-saved --entry-tile 8 -o "$folder/sheet-steps-saved.png" >/dev/null
 echo "$folder/sheet-steps-saved.png"
+"$kdscope" render ball:9000 --overlay --overlay-colour ratio --overlay-depth 7 -o "$folder/ball-9000-ratio.png" >/dev/null
+echo "$folder/ball-9000-ratio.png"
 "$kdscope" stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg >/dev/null
 convert -density 110 width.svg -strip "$folder/width-ball-restart.png"
 echo "$folder/width-ball-restart.png"

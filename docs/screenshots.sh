@@ -125,6 +125,17 @@ small_divergence() {
     shoot divergence-widths
     stop_window
 }
+small_predicted() {
+    open ball:9000
+    press_all shift+p
+    wait_for '^visits.outdated=false$' 120
+    press_all h s
+    choose "VIEW/split colours" ratio
+    wait_for '^cells.counted=[1-9]' 120
+    hover 600 20
+    shoot predicted
+    stop_window
+}
 small_error() {
     open rooms
     press_all e

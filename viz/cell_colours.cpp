@@ -16,7 +16,7 @@ namespace {
 
 /// Ends of the scale of ratios: a ratio that varies less than twofold should not look wild, and one that varies a
 /// thousandfold leaves no colours to tell two from four.
-constexpr float least_reach = 2, most_reach = 100;
+constexpr float least_reach = 2, most_reach = 20;
 
 /// The cells down to a depth, in no order that matters.
 std::vector<Cell> shallow_cells(const KdTree& tree, int max_depth) {
@@ -53,6 +53,7 @@ ScalarMap labels_of(CellColour colour, const NodeVisits* visits) {
                                                   : "cells: visits";
     map.unit = colour == CellColour::ratio ? "ratio" : "visits per ray";
     map.integer = false;
+    map.counted = "cells";
     map.subject = "uniform lines";
     if (!needs_visits(colour)) return map;
     map.subject = fmt::format("{} rays", ray_names[std::size_t(visits ? visits->kind : Pass::rt_prim)]);
@@ -71,7 +72,7 @@ HeatmapConfig heat_of(CellColour colour, const std::string& colormap, const Scal
     std::vector<float> factors;  // away from 1, either way
     for (const float v : map.values.pixels)
         if (std::isfinite(v) && v > 0) factors.push_back(std::max(v, 1 / v));
-    const float reach = factors.empty() ? least_reach : percentile(factors, 0.995);
+    const float reach = factors.empty() ? least_reach : percentile(factors, 0.9);
     heat.range_mode = RangeMode::fixed;
     heat.range_max = std::clamp(reach, least_reach, most_reach);
     heat.range_min = 1 / heat.range_max;

@@ -56,10 +56,10 @@ void draw_ticks(Image<Rgba8>& image, int top, const std::vector<LegendTick>& tic
 }
 
 void add_bar(Column& column, const std::vector<LegendTick>& ticks, const HeatmapConfig& config,
-             const MapSummary& summary) {
+             const MapSummary& summary, std::string_view counted) {
     const int scale = column.scale();
     const int room = bar_margin * scale;
-    column.drawing(layout.bar_height * scale + 2 * room, [&, scale, room](Image<Rgba8>& image, int y) {
+    column.drawing(layout.bar_height * scale + 2 * room, [&, scale, room, counted](Image<Rgba8>& image, int y) {
         const Colormap& colours = get_colormap(config.colormap);
         const int top = y + room;
         const int left = layout.bar_left * scale;
@@ -75,8 +75,8 @@ void add_bar(Column& column, const std::vector<LegendTick>& ticks, const Heatmap
         draw_histogram(image, top, summary, scale);
         const float size = style::small_text * float(scale);
         const float label_left =
-            float((layout.bar_left - layout.histogram_gap) * scale) - column.font().width("pixels", size);
-        column.font().draw(image, label_left, top + height + column.font().ascent(size), "pixels", size,
+            float((layout.bar_left - layout.histogram_gap) * scale) - column.font().width(counted, size);
+        column.font().draw(image, label_left, top + height + column.font().ascent(size), counted, size,
                            style::dim_text);
         draw_ticks(image, top, ticks, column);
     });
@@ -92,7 +92,7 @@ Image<Rgba8> draw_legend(const ScalarMap& map, const HeatmapConfig& config, cons
     column.paragraph(text.subject, style::small_text, style::dim_text);
     if (map.categories.empty()) {
         column.paragraph(text.scale, style::small_text, style::dim_text);
-        add_bar(column, text.ticks, config, summary);
+        add_bar(column, text.ticks, config, summary, map.counted);
         column.gap(2);
     } else {
         column.gap(8);

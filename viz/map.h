@@ -53,6 +53,7 @@ struct ScalarMap {
     std::vector<std::string> categories;      // values 0, 1, ... are these; empty for quantities
     std::vector<MapFact> facts;
     Image<float> values;
+    std::string_view counted = "pixels";  // what has a value each
 };
 
 /// What some views read beside a frame; each takes as long to make as tracing, and more.

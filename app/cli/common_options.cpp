@@ -49,6 +49,7 @@ Session CommonOptions::session_for(const std::string& scene) const {
     chosen.scene = scene;
     if (traversal) chosen.trace.traversal = *traversal;
     if (tracer) chosen.tracer = *tracer;
+    if (nodes) chosen.trace.nodes = *nodes;
     if (builder) chosen.build.builder = *builder;
     chosen.trace.shadows = !no_shadows;
     return chosen;
@@ -72,11 +73,20 @@ CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& o) {
     return app.add_flag("--no-shadows", o.no_shadows, "No shadow rays")->group("Tracing");
 }
 
-void add_shading_options(CLI::App& app, CommonOptions& o) {
+CLI::Option* add_nodes_option(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
+    return add_choice<NodeEncoding>(app, "--nodes", o.nodes, choices::node_encodings(),
+                                    fmt::format("Bytes of a node in the tracer; those of 8 have no link to the parent "
+                                                "[{}]",
+                                                defaults.nodes))
+        ->group("Tracing");
+}
+
+void add_shading_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defaults) {
     TraceConfig& trace = o.session.trace;
     std::vector<CLI::Option*> all{
         add_choice(app, "--leaf-lists", trace.leaf_lists, choices::leaf_lists(),
                    "Leaves hold triangle numbers or vertex copies [references]"),
+        add_nodes_option(app, o, defaults),
         add_choice(app, "--early-z", o.session.early_z, choices::early_z(),
                    "How gl-fragment culls pixels that a pass need not shade; the paper's way culls none [working]"),
         add_number(app, "--short-stack", trace.short_stack, limits::short_stack,
@@ -202,7 +212,7 @@ void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefault
     add_size_option(app, options);
     add_machine_options(app, options);
     add_tracing_options(app, options, defaults);
-    add_shading_options(app, options);
+    add_shading_options(app, options, defaults);
     add_tree_options(app, options, defaults);
 }
 

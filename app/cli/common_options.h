@@ -19,7 +19,7 @@ namespace kd {
 
 /// What help names as the default of an option where its absence means different things to different commands.
 struct ShownDefaults {
-    std::string_view builder = "paper", traversal = "stack", tracer = "cpu", context = "auto";
+    std::string_view builder = "paper", traversal = "stack", tracer = "cpu", context = "auto", nodes = "16";
 };
 
 /// Parts of the scene's camera that are replaced.
@@ -34,6 +34,7 @@ struct CommonOptions {
     CameraOptions camera;
     std::optional<Traversal> traversal;  // those given; the session holds the defaults
     std::optional<TracerKind> tracer;
+    std::optional<NodeEncoding> nodes;
     std::optional<std::string> builder;
     std::optional<ContextKind> context;
     bool count_shaded = false;
@@ -49,8 +50,9 @@ void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
 void add_tracing_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& options);
-/// Mirrors, shadows, how leaves are stored, how pixels are culled, and features to keep.
-void add_shading_options(CLI::App& app, CommonOptions& options);
+CLI::Option* add_nodes_option(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+/// Mirrors, shadows, how nodes and leaves are stored, how pixels are culled, and features to keep.
+void add_shading_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 void add_camera_options(CLI::App& app, CommonOptions& options);
 /// All that a traced frame depends on but the camera: size, machine, tracing, shading, tree.

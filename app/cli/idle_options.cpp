@@ -68,6 +68,7 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
         {"--early-z", gl, no_gl},
         {"--count-shaded", gl, no_gl},
         {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
+        walk_use("--nodes", WalkChoice::nodes),
         {"--leaf-lists", walks, "the loop over all triangles (naive) walks no tree"},
         walk_use("--short-stack", WalkChoice::short_stack),
         walk_use("--plain-ropes", WalkChoice::plain_ropes),

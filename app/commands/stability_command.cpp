@@ -42,6 +42,7 @@ StabilityConfig config_for(const StabilityOptions& options) {
     for (std::string& id : config.cases) id = canonical(id);
     config.rules = options.session.trace.rules;
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
+    config.nodes = options.nodes.value_or(NodeEncoding::float4);
     config.threads = options.session.threads;
     config.seed = options.session.seed;
     const WantedMachines machines = wanted_machines(options);
@@ -122,7 +123,8 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
         return run_sweep_command(options, context);
     }
     if (options.list) {
-        for (const char* option : {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules"})
+        for (const char* option :
+             {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules", "--nodes"})
             refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
         print_list(context.out);
         return exit_ok;
@@ -134,7 +136,7 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
         throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
     if (options.json) {
         MeasuredOn on = measured_on(options.session.threads, options.session.seed);
-        on.settings = Json{{"rules", info(report.rules).name}}.dump();
+        on.settings = Json{{"rules", info(report.rules).name}, {"nodes", bytes_of(config_for(options).nodes)}}.dump();
         context.out << json_text(with_machine(stability_json(report), on));
     } else
         print_summary(context.out, report);
@@ -156,6 +158,7 @@ CommandBody declare(CLI::App& app) {
     app.add_option("--csv", options->csv, "The sweep as a table")->type_name("FILE")->excludes("--json");
     add_machine_options(app, *options);
     add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
+    add_nodes_option(app, *options)->excludes(sweep);
     app.get_option("--rules")->excludes(sweep);  // a sweep shows all of them
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }

@@ -33,6 +33,7 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     config.width = session.width;
     config.height = session.height;
     config.rules = session.trace.rules;
+    config.nodes = options.nodes;
     config.seed = session.seed;
     config.threads = session.threads;
     if (options.builder) config.builders = {*options.builder};
@@ -49,6 +50,7 @@ Json json_of(const VerifyReport& report) {
         rows.push_back({{"builder", row.builder},
                         {"traversal", row.traversal},
                         {"leaf_lists", row.leaf_lists},
+                        {"nodes", row.node_bytes > 0 ? Json(row.node_bytes) : Json(nullptr)},
                         {"tracer", row.tracer},
                         {"context", row.context},
                         {"pixel_rays", row.pixel_rays},
@@ -73,6 +75,7 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     TextTable table({{"builder", left},
                      {"traversal", left},
                      {"leaf lists", left},
+                     {"nodes"},
                      {"tracer", left},
                      {"context", left},
                      {"pixel rays"},
@@ -83,7 +86,8 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
                      {"seconds"},
                      {"verdict", left}});
     for (const VerifyRow& row : report.rows)
-        table.add_row({row.builder, row.traversal, row.leaf_lists, row.tracer, row.context,
+        table.add_row({row.builder, row.traversal, row.leaf_lists,
+                       row.node_bytes > 0 ? fmt::format("{}", row.node_bytes) : "-", row.tracer, row.context,
                        fmt::format("{}", row.pixel_rays), fmt::format("{}", row.adversarial_rays),
                        fmt::format("{}", row.mismatches), fmt::format("{}", row.ties),
                        row.counter_mismatches ? fmt::format("{}", *row.counter_mismatches) : "-",
@@ -95,8 +99,9 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     std::set<std::string> told;  // rows that fail on the same ray are told once
     for (const VerifyRow& row : report.rows)
         if (!row.first_failure.empty() && told.insert(row.first_failure.substr(0, row.first_failure.find(": "))).second)
-            out << fmt::format("first failure of {} {} {} on {} {}: {}\n", row.builder, row.traversal, row.leaf_lists,
-                               row.tracer, row.context, row.first_failure);
+            out << fmt::format("first failure of {} {} {}, nodes of {} bytes, on {} {}: {}\n", row.builder,
+                               row.traversal, row.leaf_lists, row.node_bytes, row.tracer, row.context,
+                               row.first_failure);
     const auto sum = [&](auto VerifyRow::*part) {
         std::int64_t all = 0;
         for (const VerifyRow& row : report.rows) all += row.*part;
@@ -160,9 +165,9 @@ CommandBody declare(CLI::App& app) {
                     fmt::format("Rays made to break traversals [{}]", config.adversarial_rays));
     add_size_option(app, *options);
     add_machine_options(app, *options);
-    const ShownDefaults everything{"all", "all", "all", "osmesa and egl"};
+    const ShownDefaults everything{"all", "all", "all", "osmesa and egl", "both"};
     add_tracing_options(app, *options, everything);
-    add_shading_options(app, *options);
+    add_shading_options(app, *options, everything);
     add_tree_options(app, *options, everything);
     add_camera_options(app, *options);
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
@@ -173,9 +178,10 @@ CommandBody declare(CLI::App& app) {
 Command verify_command() {
     return {
         "verify", "Checks every traversal, builder and tracer against brute force, bit for bit",
-        "All builders, traversals and tracers are checked unless options name one. A mismatch is a hit, distance or\n"
-        "barycentric that differs in any bit; a tie is another triangle at the same distance; counters of OpenGL\n"
-        "must equal the CPU's. Exit code 1 where anything differs.\n\n"
+        "All builders, traversals and tracers are checked unless options name one, over nodes of 16 bytes, and each\n"
+        "builder, traversal and tracer over nodes of 8. A mismatch is a hit, distance or barycentric that differs in\n"
+        "any bit; a tie is another triangle at the same distance; counters of OpenGL must equal the CPU's, and these\n"
+        "be the same over both nodes. Exit code 1 where anything differs.\n\n"
         "Examples:\n"
         "  kdscope verify ball:9000 rooms scatter:10000\n"
         "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n"

@@ -34,28 +34,27 @@ std::vector<int> cells_of_nodes(const KdTree& tree, const std::vector<IcicleCell
 
 NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
                          const NodeVisits* counted) {
-    if (!needs_visits(colour)) return colours_by_depth(tree, colormap);
-    if (!counted) return {};
+    if (colour == CellColour::depth) return colours_by_depth(tree, colormap);
+    if (needs_visits(colour) && !counted) return {};
     CellColours made = cell_colours(tree, colour, max_tree_depth, colormap, counted);
     return {std::move(made.of_node), made.scale.summary.range, made.scale.heat.colormap};
 }
 
 void TreeViewBench::follow(const TreeViewWish& wish, const std::shared_ptr<const World>& world,
                            const std::shared_ptr<const NodeVisits>& visits) {
-    const std::shared_ptr<const NodeVisits> wanted = needs_visits(wish.colour) ? visits : nullptr;
-    if (wish == wish_ && world_.lock() == world && visits_.lock() == wanted) return;
+    if (wish == wish_ && world_.lock() == world && visits_.lock() == visits) return;
     wish_ = wish;
     world_ = world;
-    visits_ = wanted;
+    visits_ = visits;
     state_.active = world && wish.columns > 0;
     if (!state_.active) return run_.cancel();
     state_.error.clear();
-    const auto job = [this, wish, world, wanted](const std::stop_token& stop, const BackgroundRun::Post& post) {
+    const auto job = [this, wish, world, visits](const std::stop_token& stop, const BackgroundRun::Post& post) {
         const KdTree& tree = world->tree;
         TreeView made;
         made.of = wish;
         made.world = world;
-        made.visits = wanted;
+        made.visits = visits;
         made.root = node_at(tree, wish.root).value_or(0);
         made.icicle = icicle(tree, wish.width, 1.0 / wish.columns, made.root);
         made.cell_of = cells_of_nodes(tree, made.icicle);
@@ -64,8 +63,8 @@ void TreeViewBench::follow(const TreeViewWish& wish, const std::shared_ptr<const
         made.slice = slice_cells(tree, wish.slice, max_tree_depth);
         made.segments = slice_triangles(world->scene().triangles, wish.slice);
         if (stop.stop_requested()) return;
-        made.colours = colour_nodes(tree, wish.colour, wish.colormap, wanted.get());
-        if (wanted) made.predicted = wanted->predicted(tree);
+        made.colours = colour_nodes(tree, wish.colour, wish.colormap, visits.get());
+        if (visits) made.predicted = visits->predicted(tree);
         post([this, made = std::make_shared<const TreeView>(std::move(made))] { state_.view = made; });
     };
     run_.start("the views of the tree", job, [this](const std::string& error) {

@@ -34,14 +34,14 @@ struct NodeColours {
     std::string colormap;
 };
 
-/// `counted` may be null where `colour` is the depth.
+/// `counted` may be null: colours that need it are none then.
 [[nodiscard]] NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
                                        const NodeVisits* counted);
 
 struct TreeView {
     TreeViewWish of;
     std::shared_ptr<const World> world;
-    std::shared_ptr<const NodeVisits> visits;  // null where the colours need none
+    std::shared_ptr<const NodeVisits> visits;  // null until they are counted
     int root = 0;
     std::vector<IcicleCell> icicle;
     int rows = 1;              // of the icicle

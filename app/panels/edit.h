@@ -134,12 +134,11 @@ inline constexpr const char* divergence_panel = "DIVERGENCE";
 /// Those in which a node is looked at, and in which one is found.
 inline constexpr const char* splits_panel = "SPLITS";
 inline constexpr const char* nodes_panel = "NODES";
+/// That and NODES have visits of nodes counted while they are shown.
+inline constexpr const char* predicted_panel = "PREDICTED";
 
 /// Whether that bottom panel is to be seen.
 [[nodiscard]] bool shows(const Edit& edit, const char* panel);
-
-/// The bottom panel that has visits of nodes counted while it is shown.
-inline constexpr const char* predicted_panel = "PREDICTED";
 
 /// Whose numbers PIXEL shows.
 [[nodiscard]] Pass rays_read(const Edit& edit);

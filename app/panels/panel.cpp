@@ -32,8 +32,6 @@ std::span<const Panel> panels() {
          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."},
         {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel,
          "What groups of 4 to 1024 pixels lose in lockstep. Key Shift D."},
-        {predicted_panel, PanelPlace::bottom, 0, draw_predicted_panel,
-         "How often rays visit each node, against what the surface area heuristic predicts. Key Shift P."},
         {"PAPER", PanelPlace::bottom, 0, draw_paper_panel,
          "The paper's experiments made again: its figures as they are measured, a verdict on each claim. Key Shift Y."},
         {"NEEDS", PanelPlace::bottom, 0, draw_needs_panel,
@@ -42,6 +40,8 @@ std::span<const Panel> panels() {
          "What every plane would cost in the cell selected; drag it and see what that does. Key Shift S."},
         {nodes_panel, PanelPlace::bottom, 0, draw_nodes_panel,
          "The whole tree as an icicle, and a slice through its cells. Key I."},
+        {predicted_panel, PanelPlace::bottom, 0, draw_predicted_panel,
+         "How often rays visit each node, against what the surface area heuristic predicts. Key Shift P."},
         {"ERROR", PanelPlace::bottom, 0, draw_error_time_panel,
          "Error against time while the picture is sampled, and the configurations tried so far. Key E."},
     };

@@ -84,6 +84,21 @@ void draw_leaf_lists(TraceConfig& trace) {
         trace.leaf_lists = LeafLists(index);
 }
 
+void draw_nodes(TraceConfig& trace) {
+    const std::string idle = why_idle(WalkChoice::nodes, trace);
+    int index = int(nodes_in_force(trace));
+    ImGui::BeginDisabled(!idle.empty());
+    if (widgets::choice("nodes", index,
+                        {{"16 bytes", "The paper's texel: four floats, with a link to the parent."},
+                         {"8 bytes", "Half the memory, and a fetch half as wide: the kind of node in two bits of its "
+                                     "link, and no parent. The paper says that this gains 20 %."}},
+                        widgets::tip_of("How the tracer keeps the tree's nodes. Picture and counters stay the same in "
+                                        "every bit; time and memory need not. Option --nodes.",
+                                        idle)))
+        trace.nodes = NodeEncoding(index);
+    ImGui::EndDisabled();
+}
+
 void draw_early_z(Edit& edit) {
     const bool gpu = edit.session.tracer == TracerKind::gl_fragment;
     int index = int(edit.session.early_z);
@@ -193,6 +208,7 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
     draw_least_contribution(state, trace);
     draw_leaf_lists(trace);
+    draw_nodes(trace);
     draw_early_z(edit);
     draw_rules(trace);
     if (state.picture && state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(state, *state.picture);

@@ -5,10 +5,12 @@
 #include <map>
 #include <optional>
 
+#include "app/choices.h"
 #include "app/cli/command.h"
 #include "app/frame/counted_frame.h"
 #include "app/frame/frame_tracer.h"
 #include "app/paper/paper_counts.h"
+#include "app/paper/paper_node_sizes.h"
 #include "app/report/machine_info.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/paper/paper_claims.h"
@@ -49,7 +51,7 @@ class PaperRun {
         count_scenes();
         compare_seeds();
         limit_loops();
-        compare_node_sizes();
+        compare_nodes();
         compare_triangle_tests();
         time_all();
         results_.complete = !stop_.stop_requested();
@@ -113,17 +115,17 @@ class PaperRun {
         }
     }
 
-    void compare_node_sizes() {
+    void compare_nodes() {
         for (const char* name : node_size_scenes) {
-            if (stopped()) return;
-            tell(0.12f, fmt::format("nodes of 16 and 8 bytes in {}", name));
             const auto stage = stages_.find(name);
-            if (stage == stages_.end()) return;
-            const PaperWorld& w = *stage->second.world;
-            PaperNodeSizes sizes = compare_nodes(w.scene, w.tree, w.camera, results_.width, results_.height,
-                                                 config_.quick ? 9 : 15, stop_);
-            sizes.scene = name;
-            if (!stopped()) results_.node_sizes.push_back(std::move(sizes));
+            if (stopped() || stage == stages_.end()) return;
+            const auto compare = [&](TracerKind tracer) {
+                tell(0.12f, fmt::format("nodes of 16 and 8 bytes in {} on {}", name, name_of(tracer)));
+                PaperNodeSizes sizes = compare_node_sizes(config_, name, *stage->second.world, tracer, stop_);
+                if (!stopped()) results_.node_sizes.push_back(std::move(sizes));
+            };
+            compare(TracerKind::cpu);
+            use_gpu([&] { compare(TracerKind::gl_fragment); });
         }
     }
 
@@ -139,17 +141,25 @@ class PaperRun {
         }
     }
 
-    void open_gpu(Stage& stage) {
-        if (!config_.gpu) return;
+    /// Does what needs OpenGL where there is some; else there is a note.
+    template <class Work>
+    void use_gpu(const Work& work) {
+        if (!config_.gpu || stopped()) return;
         try {
-            const GlChoices choices{.context = config_.context, .early_z = config_.base.early_z};
-            stage.gpu = make_frame_tracer(TracerKind::gl_fragment, stage.world->scene, stage.world->tree, 0, choices);
+            work();
         } catch (const ContextError& error) {
             if (config_.context != ContextKind::automatic) throw;
             note_once(fmt::format("GPURT left out: {}", error.what()));
         } catch (const InputError& error) {
             note_once(fmt::format("GPURT left out: {}", error.what()));
         }
+    }
+
+    void open_gpu(Stage& stage) {
+        use_gpu([&] {
+            const GlChoices choices{.context = config_.context, .early_z = config_.base.early_z};
+            stage.gpu = make_frame_tracer(TracerKind::gl_fragment, stage.world->scene, stage.world->tree, 0, choices);
+        });
     }
 
     /// Of a frame: what is affordable in turn with the others.

@@ -12,6 +12,10 @@ namespace {
 
 std::string ms_text(double ms) { return ms < 0 ? "" : fmt::format("{:.2f}", ms); }
 
+std::string tracer_of(const PaperNodeSizes& sizes) {
+    return std::string(name_of(sizes.gpu ? TracerKind::gl_fragment : TracerKind::cpu));
+}
+
 Json rounds_json(const TimedRounds& timed) {
     Json rounds = Json::array();
     for (const TimeSample& sample : timed.rounds) {
@@ -139,6 +143,24 @@ PaperTable budget_table(const PaperResults& results) {
     return table;
 }
 
+PaperTable node_size_table(const PaperResults& results) {
+    PaperTable table{"node-sizes",
+                     "Frames by the stack over nodes of 16 and of 8 bytes",
+                     {"scene", "tracer", "nodes", "kB of 16 bytes", "kB of 8 bytes", "ms, 16 bytes", "ms, 8 bytes",
+                      "16 over 8 (95 % interval)", "rounds", "clock"},
+                     {}};
+    for (const PaperNodeSizes& s : results.node_sizes) {
+        const auto kilobytes = [&](NodeEncoding nodes) {
+            return fmt::format("{:.1f}", 1e-3 * double(s.nodes) * bytes_of(nodes));
+        };
+        table.rows.push_back(
+            {s.scene, tracer_of(s), fmt::format("{}", s.nodes), kilobytes(NodeEncoding::float4),
+             kilobytes(NodeEncoding::packed), ms_text(s.wide.total().median_ms), ms_text(s.packed.total().median_ms),
+             ratio_text(ratio_interval(s.wide.ms(), s.packed.ms())), fmt::format("{}", s.wide.rounds.size()), s.clock});
+    }
+    return table;
+}
+
 PaperTable run_table(const PaperResults& results, const std::vector<PaperClaim>& claims) {
     PaperTable table{"run", "How this was measured", {"what", "value"}, {}};
     for (const auto& [name, value] : results.on.facts()) table.rows.push_back({name, value});
@@ -172,11 +194,14 @@ Json paper_json(const PaperResults& results, const std::vector<PaperClaim>& clai
             {{"scene", row.scene}, {"budget", row.budget}, {"pixels", row.pixels}, {"unfinished", row.unfinished}});
     for (const PaperNodeSizes& s : results.node_sizes)
         sizes.push_back({{"scene", s.scene},
+                         {"tracer", tracer_of(s)},
+                         {"clock", s.clock},
                          {"nodes", s.nodes},
                          {"ms_16_bytes", json_of(s.wide.total())},
-                         {"ms_8_bytes", json_of(s.narrow.total())},
+                         {"ms_8_bytes", json_of(s.packed.total())},
+                         {"16_over_8_bytes", json_of(ratio_interval(s.wide.ms(), s.packed.ms()))},
                          {"rounds_16_bytes", rounds_json(s.wide)},
-                         {"rounds_8_bytes", rounds_json(s.narrow)}});
+                         {"rounds_8_bytes", rounds_json(s.packed)}});
     for (const PaperTriangleTests& t : results.triangle_tests)
         tests.push_back({{"scene", t.scene},
                          {"ms_once", json_of(t.once.total())},

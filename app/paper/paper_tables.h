@@ -22,6 +22,7 @@ struct PaperTable {
 [[nodiscard]] PaperTable time_table(const PaperResults& results);
 [[nodiscard]] PaperTable count_table(const PaperResults& results);
 [[nodiscard]] PaperTable budget_table(const PaperResults& results);
+[[nodiscard]] PaperTable node_size_table(const PaperResults& results);
 /// Machine, settings, rounds: what the page says of the run as a whole.
 [[nodiscard]] PaperTable run_table(const PaperResults& results, const std::vector<PaperClaim>& claims);
 

@@ -48,6 +48,7 @@ TextTable table_of(const BenchScene& bench) {
     using enum TextTable::Align;
     TextTable table({{"tracer", left},
                      {"traversal", left},
+                     {"nodes"},
                      {"ms"},
                      {"p25"},
                      {"p75"},
@@ -58,8 +59,9 @@ TextTable table_of(const BenchScene& bench) {
     const double rays = double(std::max<std::int64_t>(bench.ray_sum(), 1));
     for (const BenchRow& row : bench.rows) {
         const TimeSummary time = row.timed.total();
-        table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name), ms_text(time.median_ms),
-                       ms_text(time.p25_ms), ms_text(time.p75_ms), fmt::format("{:.2f}", bench.mrays_per_s(row)),
+        table.add_row({std::string(name_of(row.tracer)), std::string(info(row.traversal).name),
+                       fmt::format("{}", bytes_of(row.nodes)), ms_text(time.median_ms), ms_text(time.p25_ms),
+                       ms_text(time.p75_ms), fmt::format("{:.2f}", bench.mrays_per_s(row)),
                        fmt::format("{:.1f}", double(row.counters.interior_first + row.counters.interior_again) / rays),
                        fmt::format("{:.1f}", double(row.counters.triangle_tests) / rays),
                        &row == &bench.rows.front() ? "" : ratio_text(bench.of_first(row))});
@@ -98,6 +100,7 @@ Json bench_json(const BenchScene& bench, const BenchRow& row) {
     return {{"scene", bench.session.scene},
             {"tracer", name_of(row.tracer)},
             {"traversal", info(row.traversal).name},
+            {"nodes", bytes_of(row.nodes)},
             {"builder", bench.session.build.builder},
             {"width", bench.session.width},
             {"height", bench.session.height},

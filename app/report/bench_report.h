@@ -16,6 +16,7 @@ namespace kd {
 struct BenchRow {
     TracerKind tracer = TracerKind::cpu;
     Traversal traversal = Traversal::stack;
+    NodeEncoding nodes = NodeEncoding::float4;  // in force
     TimedRounds timed;
     SetupTimes setup;
     CounterTotals counters;

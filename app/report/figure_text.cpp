@@ -51,6 +51,12 @@ const char* leaf_lists_text(LeafLists lists) {
     return lists == LeafLists::references ? "leaf lists of references" : "leaf lists of copies";
 }
 
+/// What differs from the paper's layout.
+std::string nodes_text(const TraceConfig& trace) {
+    const NodeEncoding nodes = nodes_in_force(trace);
+    return nodes == NodeEncoding::float4 ? "" : fmt::format(", nodes of {} bytes", bytes_of(nodes));
+}
+
 std::string tracer_text(const FigureFacts& f) {
     return fmt::format("{} on {}{}", name_of(f.tracer), f.renderer, f.software_gl ? " (software, not a GPU)" : "");
 }
@@ -75,10 +81,10 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
 
 std::string caption_of(const FigureFacts& f) {
     return fmt::format(
-        "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
+        "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
         f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build), walk_text(f.trace),
-        info(rules_in_force(f.trace)).name, leaf_lists_text(f.trace.leaf_lists), differences(f), tracer_text(f),
-        f.width, f.height, time_text(f), build::version);
+        info(rules_in_force(f.trace)).name, leaf_lists_text(f.trace.leaf_lists), nodes_text(f.trace), differences(f),
+        tracer_text(f), f.width, f.height, time_text(f), build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

@@ -34,6 +34,7 @@ class FieldWriter {
     void choice(const char* key, const T& value, const std::vector<NamedValue<T>>& choices) {
         json[key] = name_among(choices, value);
     }
+    void node_bytes(const char* key, NodeEncoding value) { json[key] = bytes_of(value); }
     void set(const char* key, FeatureSet value, const std::vector<NamedValue<Feature>>& choices) {
         json[key] = Json::array();
         for (const auto& [name, feature] : choices)
@@ -142,8 +143,16 @@ Json json_of(const TreeStats& s) {
             {"expected_leaf_visits", s.expected_leaf_visits},
             {"expected_triangle_tests", s.expected_triangle_tests},
             {"node_bytes", s.node_bytes},
+            {"packed_node_bytes", s.packed_node_bytes},
             {"reference_list_bytes", s.reference_list_bytes},
             {"duplicated_list_bytes", s.duplicated_list_bytes}};
+}
+
+Json json_of(const BuildPhases& phases) {
+    return {{"prepare_ms", 1e3 * phases.prepare},
+            {"choose_ms", 1e3 * phases.choose},
+            {"divide_ms", 1e3 * phases.divide},
+            {"leaves_ms", 1e3 * phases.leaves}};
 }
 
 Json json_of(const CounterTotals& c) {

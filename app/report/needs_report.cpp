@@ -77,6 +77,7 @@ std::string saved_text(const NeedRow& row) {
 
 std::string bytes_text(std::int64_t bytes) {
     if (bytes == 0) return "";
+    if (bytes < 0) return "-" + bytes_text(-bytes);
     constexpr double kilo = 1000, mega = 1e6;
     if (double(bytes) < kilo) return counted(std::size_t(bytes), "byte");
     return double(bytes) < mega ? number_text(double(bytes) / kilo) + " kB" : number_text(double(bytes) / mega) + " MB";

@@ -58,6 +58,7 @@ void add_nodes(VisitScatter& made, ChartCurve curve, const KdTree& tree, const N
 }
 
 void add_line(VisitScatter& made, ChartCurve curve) {
+    if (curve.points.size() < 2) return;
     made.chart.curves.push_back(std::move(curve));
     made.nodes.emplace_back();
 }
@@ -88,7 +89,7 @@ ChartCurve prediction_line(const std::vector<double>& predicted) {
         least = std::min(least, p);
         most = std::max(most, p);
     }
-    if (!(most > least)) return line;
+    if (!(most > 0)) return line;
     for (const double p : {least, most}) line.points.push_back({p, p, false, "as many visits as predicted"});
     return line;
 }
@@ -103,20 +104,15 @@ VisitScatter visit_scatter(const KdTree& tree, const NodeVisits& visits, std::st
     made.chart.y.label = "visits counted";
     made.chart.shared_x = false;
     if (visits.rays == 0) return made;
-    add_nodes(made, {"leaf", Ink::green, Stroke::solid, {}, Form::points, Marker::circle}, tree, visits, predicted,
-              true);
     add_nodes(made, {"interior node", Ink::blue, Stroke::solid, {}, Form::points, Marker::square}, tree, visits,
               predicted, false);
-    std::size_t drawn = 0;
-    for (const auto& nodes : made.nodes) drawn += nodes.size();
+    add_nodes(made, {"leaf", Ink::green, Stroke::solid, {}, Form::points, Marker::circle}, tree, visits, predicted,
+              true);
     add_line(made, prediction_line(predicted));
     add_line(made, median_curve(visits, predicted));
     const auto none = std::ranges::count(visits.count, std::uint64_t(0));
-    if (none > 0) made.zeros = fmt::format("{} of {} nodes are not visited", none, tree.nodes.size());
-    made.chart.note =
-        fmt::format("{} of {} nodes are drawn, one where marks would cover each other. {}", drawn, tree.nodes.size(),
-                    none > 0 ? fmt::format("Open, at half a visit: those that no ray visits, {} in all.", none)
-                             : "Each node is visited.");
+    made.chart.note = fmt::format("{} nodes, one drawn where marks would cover each other", tree.nodes.size());
+    if (none > 0) made.chart.note += fmt::format("; open: the {} that no ray visits", none);
     fit_as_diagram(made.chart);
     return made;
 }

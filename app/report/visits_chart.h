@@ -14,7 +14,6 @@ namespace kd {
 struct VisitScatter {
     Chart chart;
     std::vector<std::vector<int>> nodes;  // by curve, of its points; empty for curves that are no nodes
-    std::string zeros;                    // of how many nodes no ray came by; empty where each was visited
 };
 
 /// Counted against predicted visits of every node, both axes logarithmic, interior nodes and leaves told apart; where

@@ -267,8 +267,7 @@ void WindowLoop::apply_edit() {
     engine_->select_node(edit_.window.node, shows(edit_, splits_panel));
     engine_->show_tree(edits::tree_wish(engine_->state(), edit_));
     engine_->keep_widths(shows(edit_, divergence_panel));
-    const bool counts = shows(edit_, nodes_panel) && needs_visits(edit_.window.nodes.colour);
-    engine_->keep_visits(counts || shows(edit_, predicted_panel));
+    engine_->keep_visits(shows(edit_, predicted_panel) || shows(edit_, nodes_panel));
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
         if (recent_world_ && recent_world_->loaded != world->loaded) edits::release(edit_);
         recent_world_ = world;

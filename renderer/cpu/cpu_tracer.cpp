@@ -36,13 +36,14 @@ CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
 void CpuTracer::prepare(const TraceConfig& config) { view_->prepare(config); }
 
 std::int64_t CpuTracer::table_bytes() const {
-    return std::int64_t(std::span(view_->boxes).size_bytes() + std::span(view_->ropes).size_bytes() +
-                        std::span(view_->duplicated_corners).size_bytes());
+    return std::int64_t(std::span(view_->packed_nodes).size_bytes() + std::span(view_->boxes).size_bytes() +
+                        std::span(view_->ropes).size_bytes() + std::span(view_->duplicated_corners).size_bytes());
 }
 
 std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs) {
     constexpr std::size_t ropes = faces_of_a_cell * sizeof(std::int32_t);
-    return std::int64_t((needs.node_boxes ? tree.nodes.size() * sizeof(Aabb) : 0) +
+    return std::int64_t((needs.wide_nodes ? 0 : tree.nodes.size() * sizeof(PackedNode)) +
+                        (needs.node_boxes ? tree.nodes.size() * sizeof(Aabb) : 0) +
                         (needs.ropes ? tree.nodes.size() * ropes : 0) +
                         (needs.leaf_copies ? tree.references.size() * sizeof(Triangle) : 0));
 }

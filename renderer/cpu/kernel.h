@@ -2,11 +2,12 @@
 //
 // No include guard and no namespace of its own: tile_kernel.cpp includes it once per instruction set.
 
-template <class Observer, Rules rules>
+/// `Node` is TreeNode or PackedNode, of which the view has to hold the table: no fetch asks which.
+template <class Observer, Rules rules, class Node = TreeNode>
 class Kernel {
   public:
     Kernel(const SceneView& scene_view, const TraceConfig& config, Observer& first)
-        : nodes(scene_view.tree->nodes.data()), references(scene_view.tree->references.data()),
+        : nodes(scene_view.nodes<Node>()), references(scene_view.tree->references.data()),
           corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), short_stack(config.short_stack),
@@ -17,7 +18,7 @@ class Kernel {
     void begin_at(int node) { first_node = node; }
 
   private:
-    const TreeNode* nodes;
+    const Node* nodes;
     const std::int32_t* references;
     const Triangle* corners;     // by triangle number
     const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
@@ -38,10 +39,7 @@ class Kernel {
     KD_FN void on_exit(int reason) { observer->on_exit(reason); }
 
     // Tree.
-    KD_FN KdNode fetch_node(int node) const {
-        const TreeNode& n = nodes[node];
-        return {n.flag, n.split, n.count, n.link, n.parent};
-    }
+    KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
     KD_FN int fetch_reference(int slot) const { return references[slot]; }
     KD_FN void fetch_bounds(real3& lower, real3& upper) const {
         lower = view.scene->bounds.lower;
@@ -124,16 +122,19 @@ class Kernel {
         switch (chosen) {
 #define KD_TRAVERSAL(name, ...)                                                                                        \
     case Traversal::name:                                                                                              \
-        return walk_##name(s, any_hit, hit);
+        return run_##name(s, any_hit, hit);
 #include "shaders/shared/traversals.glsl"
 #undef KD_TRAVERSAL
         }
     }
 
-    // One copy of each walk per kernel; every ray type calls it.
-#define KD_TRAVERSAL(name, label, published, ...)                                                                      \
-    [[gnu::noinline]] void walk_##name(const RaySetup& s, bool any_hit, Hit& hit) {                                    \
-        if constexpr (rules == Rules::robust)                                                                          \
+    // One copy of each walk per kernel; every ray type calls it. What needs parents walks no packed nodes: see
+    // nodes_in_force().
+#define KD_TRAVERSAL(name, label, published, needs, ...)                                                               \
+    [[gnu::noinline]] void run_##name(const RaySetup& s, bool any_hit, Hit& hit) {                                     \
+        if constexpr (std::is_same_v<Node, PackedNode> && ((needs)&walk_parents) != 0)                                 \
+            on_exit(KD_EXIT_INVALID_RAY);                                                                              \
+        else if constexpr (rules == Rules::robust)                                                                     \
             traverse_##name(s, any_hit, hit);                                                                          \
         else                                                                                                           \
             published(s, any_hit, hit);                                                                                \

@@ -9,9 +9,11 @@ SceneView::SceneView(const FlatScene& of_scene, const KdTree& of_tree)
 
 void SceneView::prepare(const TraceConfig& config) {
     needs = scene_needs(facts, config);
+    if (needs.wide_nodes) packed_nodes = {};
     if (!needs.node_boxes) boxes = {};
     if (!needs.leaf_copies) duplicated_corners = {};
     if (!needs.ropes || optimised_ropes != needs.optimised_ropes) ropes = {};
+    if (!needs.wide_nodes && packed_nodes.empty()) packed_nodes = encode_packed(*tree);
     if (needs.node_boxes && boxes.empty()) boxes = node_boxes(*tree);
     if (needs.ropes && ropes.empty()) ropes = make_ropes(*tree, needs.optimised_ropes);
     optimised_ropes = needs.optimised_ropes;

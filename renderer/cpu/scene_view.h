@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include "renderer/kdtree/encode.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
@@ -18,10 +20,20 @@ struct SceneView {
     /// Makes the tables that `config` needs and lets go of those that it does not.
     void prepare(const TraceConfig& config);
 
+    /// The tree's own, or the packed ones where they are needed.
+    template <class Node>
+    [[nodiscard]] const Node* nodes() const {
+        if constexpr (std::is_same_v<Node, PackedNode>)
+            return packed_nodes.data();
+        else
+            return tree->nodes.data();
+    }
+
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
     SceneFacts facts;
     SceneNeeds needs;
+    std::vector<PackedNode> packed_nodes;      // where needed
     std::vector<Triangle> duplicated_corners;  // where needed
     std::vector<Aabb> boxes;                   // where needed
     std::vector<std::int32_t> ropes;           // where needed

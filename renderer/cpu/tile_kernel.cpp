@@ -22,19 +22,19 @@ namespace kd::HWY_NAMESPACE {
 #include "renderer/cpu/kernel.h"
 #include "renderer/cpu/pixel.h"
 
-template <class Observer, Rules rules>
-void run_with(const TileJob& job) {
+template <class Observer, Rules rules, class Node>
+void run_on(const TileJob& job) {
+    using TileKernel = Kernel<Observer, rules, Node>;
     Observer observer;
-    Kernel<Observer, rules> kernel(job.view, job.config, observer);
+    TileKernel kernel(job.view, job.config, observer);
     for (int y = job.tile.y0; y < job.tile.y1; ++y)
-        for (int x = job.tile.x0; x < job.tile.x1; ++x)
-            trace_pixel<Kernel<Observer, rules>, Observer>(kernel, job, x, y);
+        for (int x = job.tile.x0; x < job.tile.x1; ++x) trace_pixel<TileKernel, Observer>(kernel, job, x, y);
 }
 
-template <class Observer, Rules rules>
-void run_with(const RayJob& job) {
+template <class Observer, Rules rules, class Node>
+void run_on(const RayJob& job) {
     Observer first;
-    Kernel<Observer, rules> kernel(job.view, job.config, first);
+    Kernel<Observer, rules, Node> kernel(job.view, job.config, first);
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
         Observer observer;
         kernel.observe(observer);
@@ -43,6 +43,11 @@ void run_with(const RayJob& job) {
         kernel.traverse(job.rays[i], job.any_hit, job.hits[i]);
         if constexpr (requires { observer.counters; }) job.counters[i] = observer.counters;
     }
+}
+
+template <class Observer, Rules rules, class Job>
+void run_with(const Job& job) {
+    job.view.needs.wide_nodes ? run_on<Observer, rules, TreeNode>(job) : run_on<Observer, rules, PackedNode>(job);
 }
 
 template <class Observer, class Job>

@@ -17,11 +17,22 @@ void check_texels(std::string_view what, std::int64_t texels, std::int64_t limit
                                      texels, limit, remedy));
 }
 
-void check_float_index(std::string_view what, std::int64_t largest) {
-    if (largest > float_index_limit)
-        throw InputError(fmt::format("scene on OpenGL: {} {} do not fit the tree's float4 texels, which number things "
-                                     "exactly up to {}; use larger leaves or --tracer cpu",
-                                     largest, what, float_index_limit));
+void check_number(std::string_view what, std::int64_t largest, std::string_view where, std::int64_t limit,
+                  std::string_view remedy) {
+    if (largest > limit)
+        throw InputError(fmt::format("scene on OpenGL: {} {} do not fit {}, which number things exactly up to {}; {}",
+                                     largest, what, where, limit, remedy));
+}
+
+/// That every number which stands in a node is held exactly by this encoding.
+void check_node_numbers(const UploadSizes& sizes, NodeEncoding nodes) {
+    for (const auto& [what, largest] : {std::pair("nodes", sizes.nodes), {"leaf list entries", sizes.references}})
+        if (nodes == NodeEncoding::float4)
+            check_number(what, largest, "the tree's float4 texels", float_index_limit,
+                         "use --nodes 8, larger leaves or --tracer cpu");
+        else
+            check_number(what, largest, "the links of nodes of 8 bytes", packed_link_limit,
+                         "use larger leaves or --tracer cpu");
 }
 
 }  // namespace
@@ -39,8 +50,6 @@ UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree) {
 }
 
 void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
-    check_float_index("nodes", sizes.nodes);
-    check_float_index("leaf list entries", sizes.references);
     check_texels("the tree's nodes", sizes.nodes, limits.buffer_texels, "use larger leaves or --tracer cpu");
     check_texels("the leaf lists", sizes.references, limits.buffer_texels, "use larger leaves or --tracer cpu");
     check_texels("the triangles", 3 * sizes.triangles, limits.buffer_texels, "use a smaller scene or --tracer cpu");
@@ -50,12 +59,16 @@ void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
 
 void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits) {
     const auto has = [&](bool needed, Feature feature) { return needed || config.forced.has(feature); };
+    const bool wide = has(nodes_in_force(config) == NodeEncoding::float4, Feature::wide_nodes);
+    check_node_numbers(sizes, wide ? NodeEncoding::float4 : NodeEncoding::packed);
     if (has(config.leaf_lists == LeafLists::duplicated, Feature::leaf_copies))
         check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
     if (has(info(config.traversal).has(walk_boxes) || enters_by_tile(config), Feature::node_boxes))
         check_texels("the boxes of all nodes", 2 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
-    if (has(info(config.traversal).has(walk_ropes), Feature::ropes))
+    if (has(info(config.traversal).has(walk_ropes), Feature::ropes)) {
         check_texels("boxes and ropes of all nodes", 4 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
+        check_number("nodes", sizes.nodes, "the float texels of ropes", float_index_limit, "use --traversal stack");
+    }
     if (config.traversal == Traversal::naive) {
         // One invocation traces the shadow rays to all lights.
         const std::int64_t rays = config.shadows ? std::max<std::int64_t>(1, sizes.lights) : 1;

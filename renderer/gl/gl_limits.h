@@ -31,12 +31,12 @@ struct UploadSizes {
 
 [[nodiscard]] UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree);
 
-/// InputError with the numbers where nodes, triangles, references or images do not fit the context or the float4 texels
-/// (whole numbers up to float_index_limit).
+/// InputError with the numbers where nodes, triangles, references or images do not fit the context.
 void check_upload(const UploadSizes& sizes, const GlLimits& limits);
 
-/// InputError with the numbers where what `config` needs beside the upload does not fit: copied leaf lists, node boxes,
-/// the loop budget of the naive traversal.
+/// InputError with the numbers where what `config` needs beside that does not fit: numbers in float texels (up to
+/// float_index_limit) of nodes of 16 bytes and of ropes, or in the 30 bits of nodes of 8; copied leaf lists, node
+/// boxes, the loop budget of the naive traversal.
 void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits);
 
 /// InputError for an image larger than a texture can be.

@@ -60,11 +60,12 @@ class GlTracer {
     explicit GlTracer(Context& context);
     ~GlTracer();
 
-    /// Uploads scene and tree; both must outlive the next upload. InputError with the numbers where a limit of the
-    /// float4 encoding, of textures or of the loop budget is passed; the previous upload stays usable then.
+    /// Uploads what every configuration reads of scene and tree; both must outlive the next upload. InputError with the
+    /// numbers where they do not fit the context; the previous upload stays usable then.
     void upload(const FlatScene& scene, const KdTree& tree);
 
     /// Compiles the programs and makes the tables and targets that a configuration needs, outside of any timing.
+    /// InputError with the numbers where a limit of the nodes' encoding, of textures or of the loop budget is passed.
     void prepare(const GlTraceConfig& config, int width, int height);
 
     /// Draws the passes for `tile` of a width x height frame into the tracer's own targets.

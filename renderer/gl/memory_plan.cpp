@@ -9,7 +9,7 @@ GlMemory planned_memory(const FlatScene& scene, const KdTree& tree, const SceneN
     constexpr std::int64_t texel = 16;
     const UploadSizes sizes = upload_sizes(scene, tree);
     GlMemory memory;
-    memory.nodes = texel * sizes.nodes;
+    memory.nodes = bytes_of(needs.wide_nodes ? NodeEncoding::float4 : NodeEncoding::packed) * sizes.nodes;
     if (needs.node_boxes) memory.boxes = 2 * texel * sizes.nodes;
     if (needs.ropes) memory.boxes = 4 * texel * sizes.nodes;  // the boxes before them
     memory.references = (needs.wide_references ? 4 : 2) * sizes.references;

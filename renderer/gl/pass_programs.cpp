@@ -38,6 +38,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     // What a step does not read stays at one value, so that it shares programs across settings.
     key.defines = {
         {"KD_COUNTERS", flag(s.needs.counters && walks)},
+        {"KD_PACKED_NODES", flag(!s.needs.wide_nodes && walks && s.trace.traversal != Traversal::naive)},
         {"KD_DUPLICATED", flag(s.needs.leaf_copies && walks)},
         {"KD_NORMALS", flag(s.needs.normals && (shades || reflects))},
         {"KD_TEXTURES", flag(s.needs.textures && shades)},

@@ -113,7 +113,6 @@ gl_blocks::SceneBlock encode_block(const FlatScene& scene, int nodes, int step_b
 SceneUpload::SceneUpload(const GlApi& gl, const GlLimits& limits, const FlatScene& scene, const KdTree& tree)
     : gl_(gl), limits_(limits), scene_(scene), tree_(tree), sizes_(upload_sizes(scene, tree)),
       facts_((check_upload(sizes_, limits), scene_facts(scene, tree))), block_(gl),
-      nodes_(gl, GL_RGBA32F, encode_float4(tree), "nodes"),
       corners_(gl, GL_RGBA32F, encode_corners(scene.triangles), "triangles"),
       tables_(gl, GL_RGBA32UI, encode_tables(scene), "materials and lights") {}
 
@@ -147,6 +146,8 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
         else if (!table)
             table = BufferTexture(gl_, format, encode(), what);
     };
+    keep(nodes_, needs.wide_nodes, GL_RGBA32F, "nodes", [&] { return encode_float4(tree_); });
+    keep(packed_nodes_, !needs.wide_nodes, GL_RG32UI, "nodes of 8 bytes", [&] { return encode_packed(tree_); });
     keep(material_index_, needs.material_numbers, GL_R32I, "material numbers",
          [&] { return encode_material_index(scene_); });
     keep(boxes_, needs.node_boxes && !needs.ropes, GL_RGBA32F, "node boxes",
@@ -167,7 +168,7 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
 
 void SceneUpload::bind() const {
     block_.bind(gl_, scene_block);
-    nodes_.bind(gl_, Unit::nodes);
+    (packed_nodes_ ? packed_nodes_ : nodes_).bind(gl_, Unit::nodes);
     (boxes_and_ropes_ ? boxes_and_ropes_ : boxes_).bind(gl_, Unit::boxes);
     references_.bind(gl_, Unit::references);
     leaf_corners_.bind(gl_, Unit::leaf_corners);
@@ -180,7 +181,7 @@ void SceneUpload::bind() const {
 }
 
 void SceneUpload::add_to(GlMemory& memory) const {
-    memory.nodes += nodes_.bytes();
+    memory.nodes += nodes_.bytes() + packed_nodes_.bytes();
     memory.boxes += boxes_.bytes() + boxes_and_ropes_.bytes();
     memory.references += references_.bytes();
     memory.triangles += corners_.bytes() + leaf_corners_.bytes();

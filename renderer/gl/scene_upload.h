@@ -47,8 +47,9 @@ class SceneUpload {
     std::array<int, 2> block_holds_{};  // step budget and only material
     bool wide_references_ = false, optimised_ropes_ = false;
     UniformBuffer<gl_blocks::SceneBlock> block_;
-    BufferTexture nodes_, corners_, tables_;
-    BufferTexture references_, material_index_, boxes_, boxes_and_ropes_, leaf_corners_, normals_, texture_coordinates_,
+    BufferTexture corners_, tables_;
+    BufferTexture nodes_, packed_nodes_, references_, material_index_, boxes_, boxes_and_ropes_, leaf_corners_,
+        normals_, texture_coordinates_,
         texels_;  // as asked for
 };
 

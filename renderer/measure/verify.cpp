@@ -9,6 +9,7 @@
 #include "renderer/measure/pixel_rays.h"
 #include "renderer/measure/ray_machine.h"
 #include "renderer/measure/timing.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -21,11 +22,13 @@ struct Mode {
     Traversal traversal;
     LeafLists lists;
     Rules rules = Rules::robust;
+    NodeEncoding nodes = NodeEncoding::float4;
     [[nodiscard]] TraceConfig config() const {
         TraceConfig trace;
         trace.traversal = traversal;
         trace.leaf_lists = lists;
         trace.rules = rules;
+        trace.nodes = nodes;
         return trace;
     }
 };
@@ -45,7 +48,7 @@ class Verification {
             choose_modes();
             open_contexts();
             make_pixel_rays();
-            for (std::size_t i = 0; i < config_.builders.size(); ++i) check_builder(config_.builders[i], i == 0);
+            for (std::size_t i = 0; i < config_.builders.size(); ++i) check_builder(i);
         } catch (const Stopped&) {
             report_.complete = false;
         }
@@ -71,17 +74,42 @@ class Verification {
             if (traversal.id == Traversal::naive)
                 naive_ = true;
             else if (config_.rules == Rules::robust || traversal.has_published_form())
-                modes_.push_back({traversal.id, LeafLists::references, config_.rules});
+                modes_.push_back(
+                    {traversal.id, LeafLists::references, config_.rules, config_.nodes.value_or(NodeEncoding::float4)});
         }
+        for (Mode& mode : modes_) mode.nodes = nodes_in_force(mode.config());
         // One traversal shows what the other layout of the leaves does.
         if (!modes_.empty())
-            modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated, config_.rules});
+            modes_.insert(modes_.begin() + 1,
+                          {modes_.front().traversal, LeafLists::duplicated, config_.rules, modes_.front().nodes});
+    }
+
+    /// What is traced in the tree of a builder, by its place among them. The other nodes make no other walk, so they
+    /// are not multiplied with the rest: as a diagonal, counted round, each builder and each traversal meets them.
+    [[nodiscard]] std::vector<Mode> modes_of(std::size_t builder) const {
+        const auto can_change = [](const Mode& mode) {
+            return mode.lists == LeafLists::references && why_idle(WalkChoice::nodes, mode.config()).empty();
+        };
+        const auto walks = std::size_t(std::ranges::count_if(modes_, can_change));
+        std::vector<Mode> modes;
+        std::size_t walk = 0;
+        for (const Mode& mode : modes_) {
+            modes.push_back(mode);
+            if (config_.nodes || !can_change(mode)) continue;
+            if (walk % config_.builders.size() == builder || builder % walks == walk) {
+                modes.push_back(mode);
+                modes.back().nodes = NodeEncoding::packed;
+            }
+            ++walk;
+        }
+        return modes;
     }
 
     void open_contexts() {
         gl_ = gl_machines(config_.contexts, "checked", report_.not_checked);
-        const std::size_t runs = modes_.size() * ((config_.cpu ? 1 : 0) + gl_.size());
-        steps_ = 4 + config_.builders.size() * (2 + runs) + (naive_ ? gl_.size() : 0);
+        const std::size_t machines = (config_.cpu ? 1 : 0) + gl_.size();
+        steps_ = 4 + (naive_ ? gl_.size() : 0);
+        for (std::size_t i = 0; i < config_.builders.size(); ++i) steps_ += 2 + machines * modes_of(i).size();
     }
 
     void make_pixel_rays() {
@@ -124,12 +152,13 @@ class Verification {
         return found;
     }
 
-    void check_builder(const std::string& builder, bool first) {
+    void check_builder(std::size_t place) {
+        const std::string& builder = config_.builders[place];
         tell(builder + ": building");
         BuildConfig build = build_;
         build.builder = builder;
         BuildReport built;
-        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_);
+        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_, config_.threads);
         check_stop();
         for (const std::string& note : build_notes(built))
             report_.notes.push_back(fmt::format("{}: {}", builder, note));
@@ -147,9 +176,10 @@ class Verification {
         std::vector<RayMachine*> loaded;
         for (const auto& machine : gl_)
             if (load(*machine, tree, builder)) loaded.push_back(machine.get());
-        if (first && naive_)
+        if (place == 0 && naive_)
             for (RayMachine* machine : loaded) check_naive(*machine, hard);
-        for (const Mode& mode : modes_) check_mode(mode, builder, hard, loaded);
+        std::optional<Answers> wide;  // by the CPU, of the mode before: the same one where nodes of 8 bytes follow
+        for (const Mode& mode : modes_of(place)) check_mode(mode, builder, hard, loaded, wide);
     }
 
     bool load(RayMachine& machine, const KdTree& tree, const std::string& builder) {
@@ -164,17 +194,26 @@ class Verification {
     }
 
     void check_mode(const Mode& mode, const std::string& builder, const ReferenceRays& hard,
-                    const std::vector<RayMachine*>& loaded) {
+                    const std::vector<RayMachine*>& loaded, std::optional<Answers>& wide) {
         VerifyRow row = row_for(mode, builder, *cpu_);
         tell(row.builder + ", " + row.traversal + " on the CPU");
-        const Answers by_cpu = ask(*cpu_, mode, pixels_, hard, row.seconds);
+        Answers by_cpu = ask(*cpu_, mode, pixels_, hard, row.seconds);
         compare(row, pixels_, hard, by_cpu);
+        const bool follows = mode.nodes == NodeEncoding::packed && !config_.nodes;
+        if (follows) compare_all_counters(row, hard, *wide, by_cpu);
         if (config_.cpu) {
             report_.rows.push_back(std::move(row));
             ++done_;
         }
         for (RayMachine* machine : loaded)
             check_gl(*machine, mode, row_for(mode, builder, *machine), pixels_, hard, &by_cpu);
+        if (!follows) wide = std::move(by_cpu);
+    }
+
+    void compare_all_counters(VerifyRow& row, const ReferenceRays& hard, const Answers& expected,
+                              const Answers& found) const {
+        compare_counters(scene_, pixels_, expected[0], found[0], row);
+        compare_counters(scene_, hard, expected[1], found[1], row);
     }
 
     void check_gl(RayMachine& machine, const Mode& mode, VerifyRow row, const ReferenceRays& pixels,
@@ -183,10 +222,7 @@ class Verification {
         try {
             const Answers by_gl = ask(machine, mode, pixels, hard, row.seconds);
             compare(row, pixels, hard, by_gl);
-            if (by_cpu) {
-                compare_counters(scene_, pixels, (*by_cpu)[0], by_gl[0], row);
-                compare_counters(scene_, hard, (*by_cpu)[1], by_gl[1], row);
-            }
+            if (by_cpu) compare_all_counters(row, hard, *by_cpu, by_gl);
             report_.rows.push_back(std::move(row));
         } catch (const InputError& error) {
             report_.not_checked.push_back(fmt::format("{} with {} on {} not checked: {}", row.traversal, row.leaf_lists,
@@ -211,6 +247,7 @@ class Verification {
         row.builder = builder;
         row.traversal = info(mode.traversal).name;
         row.leaf_lists = mode.lists == LeafLists::duplicated ? "duplicated" : "references";
+        row.node_bytes = mode.traversal == Traversal::naive ? 0 : bytes_of(mode.nodes);
         row.tracer = machine.tracer();
         row.context = machine.context();
         return row;

@@ -24,8 +24,10 @@ struct VerifyConfig {
     std::vector<std::string> builders;    // empty = all
     std::vector<std::string> traversals;  // empty = all
     Rules rules = Rules::robust;          // published ones: of the traversals that have such a form
-    bool cpu = true;                      // check the CPU tracer
-    std::vector<ContextKind> contexts;    // which GL contexts to check besides the CPU; empty = none
+    /// Of nodes; none: 16 bytes for every traversal in every builder's tree, and 8 so that each of both has seen them.
+    std::optional<NodeEncoding> nodes;
+    bool cpu = true;                    // check the CPU tracer
+    std::vector<ContextKind> contexts;  // which GL contexts to check besides the CPU; empty = none
     /// Ray-triangle products that the naive traversal is given on one GL context; fewer rays are checked above it.
     std::int64_t gl_naive_tests = 400'000'000;
 };
@@ -34,11 +36,13 @@ struct VerifyRow {
     std::string builder, traversal, tracer,
         context;             // tracer "cpu" or "gl-fragment"; builder "-" where no tree is used
     std::string leaf_lists;  // "references" or "duplicated"
+    int node_bytes = 0;      // 16 or 8; 0 where no tree is used
     std::int64_t pixel_rays = 0, adversarial_rays = 0;
     std::int64_t mismatches = 0;  // hit or miss differs, or t differs in any bit, or u, v differ for the same triangle
     std::int64_t ties = 0;        // same t, another triangle
-    std::optional<std::int64_t> counter_mismatches;  // rays whose counters differ from the CPU's, where compared
-    std::string first_failure;                       // ray in exact hexadecimal floats, expected and found
+    /// Rays whose counters differ, where compared: on OpenGL from the CPU's, there from those over nodes of 16 bytes.
+    std::optional<std::int64_t> counter_mismatches;
+    std::string first_failure;  // ray in exact hexadecimal floats, expected and found
     double seconds = 0;
     [[nodiscard]] bool good() const { return mismatches == 0 && counter_mismatches.value_or(0) == 0; }
 };

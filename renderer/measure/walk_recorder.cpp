@@ -67,7 +67,9 @@ struct Recording {
     explicit Recording(const WalkRequest& asked)
         : request(asked), view(asked.scene, asked.tree), with_stack(asked.config),
           enters(asked.rays == Pass::rt_prim && (enters_by_tile(asked.config) || enters_by_eye(asked.config))) {
-        view.prepare(asked.config);
+        TraceConfig by_own_nodes = asked.config;  // of the tree: the steps are the same, and no table is made
+        by_own_nodes.nodes = NodeEncoding::float4;
+        view.prepare(by_own_nodes);
         with_stack.traversal = Traversal::stack;
     }
 };

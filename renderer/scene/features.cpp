@@ -96,6 +96,13 @@ FeatureNeed deep_tree(Facts f, Config c) {
     return full ? needed(deepest) : idle(fmt::format("{}, {} are enough", deepest, trail ? short_trail : levels));
 }
 
+FeatureNeed wide_nodes(Facts, Config c) {
+    const TraversalInfo& walk = info(c.traversal);
+    if (walk.has(walk_parents)) return needed(fmt::format("{} climbs to parents", walk.name));
+    if (nodes_in_force(c) == NodeEncoding::float4) return needed("nodes of 16 bytes are chosen");
+    return idle("nodes of 8 bytes are chosen");
+}
+
 FeatureNeed node_boxes(Facts, Config c) {
     const TraversalInfo& walk = info(c.traversal);
     if (walk.has(walk_boxes)) return needed(fmt::format("{} reads them", walk.name));
@@ -159,6 +166,9 @@ constexpr std::array table{
     FeatureInfo{Feature::deep_tree, "deep-tree", "room for 64 levels",
                 "A stack of 64 entries, or a restart trail of 64 bits, whatever the tree's depth.",
                 &SceneNeeds::deep_tree, false, deep_tree},
+    FeatureInfo{Feature::wide_nodes, "wide-nodes", "16-byte nodes",
+                "Sixteen bytes per node rather than eight: numbers as floats, and a link to the parent.",
+                &SceneNeeds::wide_nodes, true, wide_nodes},
     FeatureInfo{Feature::node_boxes, "node-boxes", "node boxes", "Two corners per node, for walks that climb or cross.",
                 &SceneNeeds::node_boxes, true, node_boxes},
     FeatureInfo{Feature::ropes, "ropes", "ropes", "Six links per node, to what lies beyond the faces of its cell.",

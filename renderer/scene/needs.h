@@ -42,6 +42,7 @@ struct SceneNeeds {
     bool material_numbers = false;
     bool wide_references = false;
     bool deep_tree = false;
+    bool wide_nodes = true;
     bool node_boxes = false;
     bool ropes = false;
     bool optimised_ropes = true;

@@ -20,6 +20,7 @@ enum class Feature {
     material_numbers,
     wide_references,
     deep_tree,
+    wide_nodes,
     node_boxes,
     ropes,
     leaf_copies,

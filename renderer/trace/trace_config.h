@@ -13,11 +13,14 @@ enum class LeafLists { references, duplicated };
 /// How a tracer keeps the nodes: the paper's 16 bytes (its section 2.3.1), or 8 without a link to the parent.
 enum class NodeEncoding { float4, packed };
 
+/// Of one node.
+[[nodiscard]] constexpr int bytes_of(NodeEncoding nodes) { return nodes == NodeEncoding::float4 ? 16 : 8; }
+
 struct TraceConfig {
     Traversal traversal = Traversal::stack;
     Rules rules = Rules::robust;
     LeafLists leaf_lists = LeafLists::references;
-    NodeEncoding nodes = NodeEncoding::float4;  // backtrack climbs to parents: it keeps float4
+    NodeEncoding nodes = NodeEncoding::float4;  // what nodes_in_force() leaves of it
     int short_stack = 4;                        // entries that Traversal::short_stack keeps, 1 to max_short_stack
     bool optimised_ropes = true;  // ropes lead to the smallest cell beyond a face, not to the sibling across the plane
     bool eye_leaf = false;        // with ropes, primary rays begin in the leaf that the camera is in
@@ -31,6 +34,11 @@ struct TraceConfig {
 
     bool operator==(const TraceConfig&) const = default;
 };
+
+/// Walks that climb need the link to the parent, whatever is chosen.
+[[nodiscard]] inline NodeEncoding nodes_in_force(const TraceConfig& config) {
+    return info(config.traversal).has(walk_parents) ? NodeEncoding::float4 : config.nodes;
+}
 
 /// Primary rays begin in the leaf of the eye: only ropes lead on from there.
 [[nodiscard]] inline bool enters_by_eye(const TraceConfig& config) {

@@ -19,6 +19,7 @@ enum WalkNeeds : unsigned {
     walk_short_stack = 4,  // TraceConfig::short_stack entries
     walk_boxes = 8,        // the box of every node
     walk_ropes = 16,       // the links of every leaf
+    walk_parents = 32,     // the link of every node to the one above
 };
 
 /// Most entries of Traversal::short_stack.

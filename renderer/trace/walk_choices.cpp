@@ -12,6 +12,11 @@ std::string why_no_rules(const TraceConfig& config, const TraversalInfo& walk) {
                        walk.name);
 }
 
+std::string why_one_encoding(const TraversalInfo& walk) {
+    if (!walk.has(walk_parents)) return "";
+    return fmt::format("{} climbs to parents, which only nodes of 16 bytes have a link to", walk.name);
+}
+
 std::string why_no_tiles(const TraceConfig& config, const TraversalInfo& walk) {
     if (walk.has(walk_ropes)) return "ropes begin in the leaf of the eye instead (eye leaf)";
     if (config.rules != Rules::robust) return "only robust rules can begin below the root";
@@ -26,6 +31,7 @@ std::string why_idle(WalkChoice choice, const TraceConfig& config) {
     if (config.traversal == Traversal::naive) return "the loop over all triangles (naive) walks no tree";
     switch (choice) {
         case rules: return why_no_rules(config, walk);
+        case nodes: return why_one_encoding(walk);
         case short_stack: return walk.has(walk_short_stack) ? "" : "the walk keeps none; traversal short-stack does";
         case plain_ropes: return walk.has(walk_ropes) ? "" : "the walk follows none; traversal ropes does";
         case eye_leaf: return walk.has(walk_ropes) ? "" : "only ropes lead on from there; choose traversal ropes";

@@ -3,7 +3,11 @@
 layout(std140, binding = 0) uniform SceneUniforms { SceneBlock scene; };
 layout(std140, binding = 1) uniform FrameUniforms { FrameBlock frame; };
 
+#if KD_PACKED_NODES
+layout(binding = 0) uniform usamplerBuffer kd_nodes;          // two words: split or count; kind and link
+#else
 layout(binding = 0) uniform samplerBuffer kd_nodes;           // the paper's texels: flag, split or count, link, parent
+#endif
 layout(binding = 1) uniform samplerBuffer kd_boxes;           // two texels per node: lower, upper; then, if any, two of ropes
 layout(binding = 2) uniform usamplerBuffer kd_references;     // triangle numbers of 16 or 32 bits, leaf by leaf
 layout(binding = 3) uniform samplerBuffer kd_leaf_corners;    // three texels per entry of the leaf lists

@@ -1,6 +1,20 @@
 // The data and settings hooks of shaders/shared/kernel.glsl, from texture buffers. No SSBO: llvmpipe reads those wrongly
 // in fragment shaders on partly covered blocks of pixels.
 
+#if KD_PACKED_NODES
+/// As node_as_read() in renderer/kdtree/encode.h.
+KdNode fetch_node(int node)
+{
+    uvec2 texel = texelFetch(kd_nodes, node).xy;
+    KdNode n;
+    n.flag = int(texel.y & 3u);
+    n.split = uintBitsToFloat(texel.x);
+    n.count = int(texel.x);
+    n.link = int(texel.y >> 2u);
+    n.parent = -1;
+    return n;
+}
+#else
 KdNode fetch_node(int node)
 {
     vec4 texel = texelFetch(kd_nodes, node);
@@ -12,6 +26,7 @@ KdNode fetch_node(int node)
     n.parent = int(texel.w);
     return n;
 }
+#endif
 
 int fetch_reference(int slot)
 {

@@ -5,6 +5,11 @@
 #define KD_COUNTERS 1
 #endif
 
+// 1: nodes of 8 bytes, without parents, instead of the paper's float4.
+#ifndef KD_PACKED_NODES
+#define KD_PACKED_NODES 0
+#endif
+
 // 1: leaf lists hold copies of the triangles' corners instead of their numbers alone.
 #ifndef KD_DUPLICATED
 #define KD_DUPLICATED 0

@@ -24,7 +24,7 @@ KD_TRAVERSAL(restart, "restart", published_restart, walk_trail,
              "the point where the ray left the last; here a trail of one bit per level says which far children have been "
              "taken, which rounding cannot disturb.",
              "Foley & Sugerman, KD-Tree Acceleration Structures for a GPU Raytracer, Graphics Hardware 2005; trail: Laine, HPG 2010")
-KD_TRAVERSAL(backtrack, "backtrack", published_backtrack, walk_boxes,
+KD_TRAVERSAL(backtrack, "backtrack", published_backtrack, walk_boxes | walk_parents,
              "Climbs parent links after each leaf until a far child is left to visit (Foley & Sugerman).",
              "Behind a leaf the walk goes up from child to parent until it finds a far child that the ray still meets, and "
              "down into that. Upper nodes are visited again only where they lie on that way. Every node needs a link to its "

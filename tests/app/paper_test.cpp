@@ -101,10 +101,12 @@ TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
         run_kdscope({"paper", "-o", folder.file("out"), "--quick", "--size", "24x16", "--seconds", "1"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const fs::path out = folder.file("out");
-    for (const char* claim : {"E1a CPURT", "E1b", "E2a", "E3a scatter", "E3b sheet", "B1a", "B1b ball:9000"})
+    for (const char* claim :
+         {"E1a CPURT", "E1b", "E2a", "E3a scatter", "E3b sheet", "B1a", "B1b CPU ball:9000", "B1b GPU scatter:10000"})
         EXPECT_NE(outcome.out.find(claim), std::string::npos) << outcome.out;
-    for (const char* file : {"index.html", "verdicts.csv", "times.csv", "counts.csv", "loop-budgets.csv", "run.csv",
-                             "results.json", "figure-9.csv", "figure-13.csv", "budget-ball-2000-255.png"})
+    for (const char* file :
+         {"index.html", "verdicts.csv", "times.csv", "counts.csv", "loop-budgets.csv", "node-sizes.csv", "run.csv",
+          "results.json", "figure-9.csv", "figure-13.csv", "budget-ball-2000-255.png"})
         EXPECT_TRUE(fs::exists(out / file)) << file;
     EXPECT_EQ(fs::exists(out / "figure-9.svg"), can_draw_charts());
     for (const auto& entry : fs::directory_iterator(out))
@@ -120,9 +122,14 @@ TEST(Paper, AWholeQuickRunWritesAPageWithEveryNumberInATable) {
     EXPECT_GE(json["rounds"], 6);
     EXPECT_EQ(json["scenes"].size(), paper_scenes().size());
     expect_other_seeds(json);
-    for (const Json& sizes : json["node_sizes"])
+    std::set<std::string> sized;
+    for (const Json& sizes : json["node_sizes"]) {
+        sized.insert(sizes["scene"].get<std::string>() + " " + sizes["tracer"].get<std::string>());
         for (const char* bytes : {"16", "8"})
             EXPECT_EQ(sizes[fmt::format("rounds_{}_bytes", bytes)].size(), 9u) << bytes;
+    }
+    EXPECT_EQ(sized, (std::set<std::string>{"ball:9000 cpu", "ball:9000 gl-fragment", "scatter:10000 cpu",
+                                            "scatter:10000 gl-fragment"}));
 }
 
 TEST(Paper, SyntheticResultsGiveAPageToo) {

@@ -33,6 +33,7 @@ inline Session unlike_the_default() {
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
     leaf_lists = LeafLists::duplicated;
+    nodes = NodeEncoding::packed;
     short_stack = 8;
     ropes = false;
     eye_leaf = true;
@@ -40,7 +41,6 @@ inline Session unlike_the_default() {
     shadows = false;
     bounces = 64;
     contribution = 1.0f / 3;
-    (void)nodes;
     (void)counters;     // neither is a person's choice
     (void)step_budget;  // and neither is in files
     forced = FeatureSet(Feature::textures).with(Feature::exact_products);

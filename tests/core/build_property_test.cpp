@@ -70,6 +70,7 @@ void check_everything(const std::vector<Triangle>& triangles, const BuildConfig&
     RC_ASSERT(depth_of(tree) <= depth_limit(config, triangles.size()));
     RC_ASSERT(double(tree.references.size()) <= double(config.reference_cap) * double(triangles.size()));
     RC_ASSERT(decode_float4(encode_float4(tree), tree.references, tree.bounds) == tree);
+    RC_ASSERT(decode_packed(encode_packed(tree), tree.references, tree.bounds) == tree);
     const TreeStats stats = tree_stats(tree, triangles.size(), config);
     RC_ASSERT(std::isfinite(stats.sah_cost));
     for (const TreeNode& node : tree.nodes) {

@@ -49,7 +49,7 @@ std::set<std::string> in_use(const SceneNeeds& needs) {
     std::set<std::string> names;
     for (const FeatureInfo& feature : features())
         if (needs.*feature.in_use) names.emplace(feature.name);
-    EXPECT_EQ(names.erase("counters") + names.erase("exact-products"), 2u);
+    EXPECT_EQ(names.erase("counters") + names.erase("exact-products") + names.erase("wide-nodes"), 3u);
     return names;
 }
 
@@ -71,7 +71,7 @@ TEST(SceneNeeds, PlainSceneNeedsItsLightAndShadows) {
     EXPECT_EQ(lines.front(), "RTRefl, ShadeRefl: no reflective material");
     EXPECT_NE(std::ranges::find(lines, "texture fetch: no textured material"), lines.end());
     EXPECT_NE(std::ranges::find(lines, "interpolated normals: all normals are flat"), lines.end());
-    EXPECT_EQ(lines.size(), features().size() - 4);
+    EXPECT_EQ(lines.size(), features().size() - 5);
 }
 
 TEST(SceneNeeds, TheCpuIsNotToldWhatOnlyTheGpusProgramsLeaveOut) {
@@ -210,6 +210,21 @@ TEST(SceneNeeds, OfTheWalkAndTheLeafLists) {
     EXPECT_TRUE(needs_of(plain(), {.traversal = Traversal::backtrack}).node_boxes);
     EXPECT_TRUE(needs_of(plain(), {.leaf_lists = LeafLists::duplicated}).leaf_copies);
     EXPECT_FALSE(needs_of(plain(), {.counters = false}).counters);
+}
+
+TEST(SceneNeeds, WideNodesForThoseWhoChooseThemAndForWalksThatClimb) {
+    constexpr TraceConfig packed{.nodes = NodeEncoding::packed};
+    EXPECT_TRUE(needs_of(plain()).wide_nodes);
+    EXPECT_FALSE(needs_of(plain(), packed).wide_nodes);
+    for (const TraversalInfo& walk : traversals()) {
+        TraceConfig config = packed;
+        config.traversal = walk.id;
+        EXPECT_EQ(needs_of(plain(), config).wide_nodes, walk.id == Traversal::backtrack) << walk.name;
+        EXPECT_EQ(nodes_in_force(config) == NodeEncoding::float4, walk.id == Traversal::backtrack) << walk.name;
+    }
+    TraceConfig forced = packed;
+    forced.forced = Feature::wide_nodes;
+    EXPECT_TRUE(needs_of(plain(), forced).wide_nodes);
 }
 
 TEST(SceneNeeds, ForcedFeaturesReturnOneByOne) {

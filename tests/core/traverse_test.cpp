@@ -23,15 +23,17 @@ struct Traced {
     std::vector<RayCounters> counters;
 };
 
-Traced trace(const FlatScene& scene, const KdTree& tree, Traversal traversal, const std::vector<Ray>& rays,
-             LeafLists lists = LeafLists::references, bool any_hit = false) {
+Traced trace(const FlatScene& scene, const KdTree& tree, const TraceConfig& config, const std::vector<Ray>& rays,
+             bool any_hit = false) {
     CpuTracer tracer(scene, tree);
-    TraceConfig config;
-    config.traversal = traversal;
-    config.leaf_lists = lists;
     Traced out{std::vector<Hit>(rays.size()), std::vector<RayCounters>(rays.size())};
     tracer.trace_rays(config, rays, any_hit, out.hits, out.counters);
     return out;
+}
+
+Traced trace(const FlatScene& scene, const KdTree& tree, Traversal traversal, const std::vector<Ray>& rays,
+             LeafLists lists = LeafLists::references, bool any_hit = false) {
+    return trace(scene, tree, {.traversal = traversal, .leaf_lists = lists}, rays, any_hit);
 }
 
 std::string describe(const Hit& h) {
@@ -40,13 +42,18 @@ std::string describe(const Hit& h) {
     return text;
 }
 
+/// The paper's ways to store a tree (its section 2.3.1), one changed at a time.
+constexpr std::pair<LeafLists, NodeEncoding> storages[] = {{LeafLists::references, NodeEncoding::float4},
+                                                           {LeafLists::duplicated, NodeEncoding::float4},
+                                                           {LeafLists::references, NodeEncoding::packed}};
+
 /// Empty where every traversal agrees with the naive loop on every ray, else the first failure.
 std::string first_mismatch(const FlatScene& scene, const KdTree& tree, const std::vector<Ray>& rays) {
     const Traced expected = trace(scene, tree, Traversal::naive, rays);
     for (const TraversalInfo& t : traversals())
-        for (LeafLists lists : {LeafLists::references, LeafLists::duplicated}) {
+        for (const auto& [lists, nodes] : storages) {
             if (t.id == Traversal::naive) continue;
-            const Traced found = trace(scene, tree, t.id, rays, lists);
+            const Traced found = trace(scene, tree, {.traversal = t.id, .leaf_lists = lists, .nodes = nodes}, rays);
             for (std::size_t i = 0; i < rays.size(); ++i)
                 if (!bit_equal(found.hits[i], expected.hits[i]))
                     return std::string(t.name) + ": " + test::hex(rays[i]) + " expected " + describe(expected.hits[i]) +
@@ -79,6 +86,22 @@ TEST(Traverse, AgreesWithBruteForceOnLatticeRays) {
         rays.push_back({o, d, 0.0f, KD_T_LIMIT, -1});
     }
     EXPECT_EQ(first_mismatch(scene, tree, rays), "");
+}
+
+TEST(Traverse, NodesOfEightBytesAreWalkedInTheSameSteps) {
+    KdTree tree;
+    const FlatScene scene = with_tree(test::random_soup(400, 0.1f, 11), tree);
+    const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 5000, 4);
+    for (const RulesInfo& rules : all_rules())
+        for (const TraversalInfo& t : traversals()) {
+            TraceConfig config{.traversal = t.id, .rules = rules.id};
+            const Traced wide = trace(scene, tree, config, rays);
+            config.nodes = NodeEncoding::packed;
+            const Traced packed = trace(scene, tree, config, rays);
+            EXPECT_EQ(wide.counters, packed.counters) << t.name << ", " << rules.name;
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                ASSERT_TRUE(bit_equal(wide.hits[i], packed.hits[i])) << t.name << ", " << rules.name;
+        }
 }
 
 TEST(Traverse, NeverMissesAClosedSphereAtVerticesAndEdges) {

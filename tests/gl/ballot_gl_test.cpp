@@ -101,6 +101,7 @@ TEST_P(BallotGl, EveryTraversalThatHasALoopOnEveryScene) {
         for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
             expect_exact({.traversal = traversal}, Pass::rt_prim, 64, 48);
     }
+    expect_exact({.nodes = NodeEncoding::packed}, Pass::rt_prim, 64, 48);
 }
 
 TEST_P(BallotGl, EveryKindOfRay) {
@@ -112,7 +113,8 @@ TEST_P(BallotGl, EveryKindOfRay) {
 
 TEST_P(BallotGl, WhatIsNotTheSameWalkIsFound) {
     load("ball:1000");
-    tree = build_tree(scene.triangles, {.leaf_size = 16});  // the machine keeps the tree that it was given
+    const KdTree other = build_tree(scene.triangles, {.leaf_size = 16});
+    tracer->upload(scene, other);
     for (const Schedule loop : loops) {
         const BallotReport report = check({}, loop, Pass::rt_prim, 64, 64);
         EXPECT_FALSE(report.exact());

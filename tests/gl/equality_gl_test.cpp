@@ -28,6 +28,7 @@ struct Case {
     ContextKind context;
     Traversal traversal;
     LeafLists lists;
+    NodeEncoding nodes = NodeEncoding::float4;  // of OpenGL; the CPU's are float4
 };
 
 constexpr ContextKind contexts[] = {ContextKind::osmesa, ContextKind::egl};
@@ -52,13 +53,14 @@ std::vector<Case> each_traversal() {
     std::vector<Case> cases;
     for (const ContextKind context : contexts)
         for (const TraversalInfo& traversal : traversals())
-            cases.push_back({context, traversal.id, LeafLists::references});
+            cases.push_back({context, traversal.id, LeafLists::references, NodeEncoding::packed});
     return cases;
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& test) {
     std::string name = std::string(name_of(test.param.context)) + "_" + std::string(info(test.param.traversal).name) +
-                       (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references");
+                       (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references") +
+                       (test.param.nodes == NodeEncoding::packed ? "_packed" : "");
     std::ranges::replace(name, '-', '_');
     return name;
 }
@@ -129,6 +131,7 @@ class EqualityGl : public testing::TestWithParam<Case> {
         const PinholeCamera camera = pinhole(scene.camera, width, height);
         Frame expected(width, height);
         CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
+        config.trace.nodes = GetParam().nodes;
         GlTracer tracer(*context);
         tracer.upload(scene, tree);
         (void)tracer.draw(config, camera, width, height, whole(width, height));

@@ -44,10 +44,28 @@ TEST(GlLimits, RefuseWithTheNumbers) {
 TEST(GlLimits, RefuseNumbersThatFloatsCannotHold) {
     static constexpr GlLimits large{std::int64_t(1) << 40, 64};
     constexpr std::int64_t limit = std::int64_t(1) << 24;
-    EXPECT_EQ(refusal([] { check_upload({.nodes = limit, .references = limit}, large); }), "accepted");
-    EXPECT_NE(refusal([] { check_upload({.nodes = limit + 1}, large); }).find("16777217 nodes"), std::string::npos);
-    EXPECT_NE(refusal([] { check_upload({.references = limit + 1}, large); }).find("up to 16777216"),
-              std::string::npos);
+    const auto check = [](const UploadSizes& sizes, const TraceConfig& config) {
+        return refusal([&] { check_config(sizes, config, large); });
+    };
+    EXPECT_EQ(check({.nodes = limit, .references = limit}, {}), "accepted");
+    EXPECT_EQ(check({.nodes = limit + 1}, {}),
+              "scene on OpenGL: 16777217 nodes do not fit the tree's float4 texels, which number things exactly up to "
+              "16777216; use --nodes 8, larger leaves or --tracer cpu");
+    EXPECT_NE(check({.references = limit + 1}, {}).find("16777217 leaf list entries"), std::string::npos);
+    // Nodes of 8 bytes number more, but ropes are floats and backtrack needs parents.
+    constexpr TraceConfig packed{.nodes = NodeEncoding::packed};
+    constexpr std::int64_t most = (std::int64_t(1) << 30) - 1;
+    EXPECT_EQ(check({.nodes = most, .references = most}, packed), "accepted");
+    EXPECT_NE(check({.references = most + 1}, packed).find("1073741824 leaf list entries"), std::string::npos);
+    EXPECT_NE(check({.nodes = most + 1}, packed).find("up to 1073741823"), std::string::npos);
+    TraceConfig config = packed;
+    config.traversal = Traversal::ropes;
+    EXPECT_NE(check({.nodes = limit + 1}, config).find("float texels of ropes"), std::string::npos);
+    config.traversal = Traversal::backtrack;
+    EXPECT_NE(check({.nodes = limit + 1}, config).find("float4 texels"), std::string::npos);
+    config = packed;
+    config.forced = Feature::wide_nodes;
+    EXPECT_NE(check({.nodes = limit + 1}, config).find("float4 texels"), std::string::npos);
 }
 
 TEST(GlLimits, DependOnTheConfiguration) {

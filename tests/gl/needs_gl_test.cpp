@@ -69,6 +69,12 @@ TEST(NeedsCheck, PlainSceneMissesNothing) {
     EXPECT_EQ(rows.size(), 22u);
 }
 
+TEST(NeedsCheck, NobodyMissesSixteenBytesANode) {
+    if (!has_context()) GTEST_SKIP() << "NO CONTEXT";
+    auto rows = rows_of(check(plain_scene(), {.traversal = Traversal::restart, .nodes = NodeEncoding::packed}));
+    EXPECT_EQ(rows["gl-fragment wide-nodes"] + rows["cpu wide-nodes"], 2);
+}
+
 TEST(NeedsCheck, DarkSceneMissesNoShadows) {
     if (!has_context()) GTEST_SKIP() << "NO CONTEXT";
     FlatScene scene = plain_scene();
@@ -140,18 +146,19 @@ TEST_P(NeedsGl, UploadsAreWhatIsReported) {
         const FlatScene scene = plain ? plain_scene() : test::mirror_scene(60, 5);
         const KdTree tree = build_tree(scene.triangles, {});
         const SceneFacts facts = scene_facts(scene, tree);
+        const TraceConfig trace{.nodes = plain ? NodeEncoding::packed : NodeEncoding::float4,
+                                .reflection_depth = plain ? 1 : 3};
         GlTracer tracer(*context);
         tracer.upload(scene, tree);
         const auto memory = [&](FeatureSet forced) {
             GlTraceConfig config;
-            config.trace.reflection_depth = plain ? 1 : 3;
+            config.trace = trace;
             config.trace.forced = forced;
             tracer.prepare(config, width, height);
             const SceneNeeds needs = scene_needs(facts, config.trace);
             expect_equal(tracer.memory(), planned_memory(scene, tree, needs, width, height), "forced");
             return tracer.memory().total();
         };
-        const TraceConfig trace{.reflection_depth = plain ? 1 : 3};
         const std::int64_t without = memory({});
         for (const Feature feature : removable(facts, trace, false)) {
             EXPECT_EQ(memory(feature) - without, feature_bytes(feature, scene, tree, facts, trace, true, width, height))
@@ -173,6 +180,15 @@ TEST(NeedsBytes, OfTheCpusTables) {
     }
     tracer.prepare({});
     EXPECT_EQ(tracer.table_bytes(), 0);
+    TraceConfig packed{.nodes = NodeEncoding::packed};
+    tracer.prepare(packed);
+    EXPECT_EQ(tracer.table_bytes(), std::int64_t(8 * tree.nodes.size()));
+    EXPECT_EQ(feature_bytes(Feature::wide_nodes, scene, tree, facts, packed, false, width, height),
+              -tracer.table_bytes())
+        << "the tree's own nodes have 16 bytes: on the CPU those of 8 are a table more";
+    packed.forced = Feature::wide_nodes;
+    tracer.prepare(packed);
+    EXPECT_EQ(tracer.table_bytes(), 0);
 }
 
 TEST(NeedsPrograms, EachFeatureThatIsCodeMakesOtherPrograms) {
@@ -189,6 +205,17 @@ TEST(NeedsPrograms, EachFeatureThatIsCodeMakesOtherPrograms) {
          {Feature::many_lights, Feature::directional_lights, Feature::spot_lights, Feature::highlights,
           Feature::textures, Feature::normals, Feature::material_numbers, Feature::deep_tree, Feature::leaf_copies})
         EXPECT_NE(shading({.forced = feature}, Step::shade_prim), shading({}, Step::shade_prim)) << info(feature).name;
+    constexpr TraceConfig packed{.nodes = NodeEncoding::packed};
+    TraceConfig wide = packed;
+    wide.forced = Feature::wide_nodes;
+    EXPECT_NE(shading(packed, Step::shade_prim), shading({}, Step::shade_prim));
+    EXPECT_EQ(shading(wide, Step::shade_prim), shading({}, Step::shade_prim));
+    for (const Traversal traversal : {Traversal::naive, Traversal::backtrack}) {
+        TraceConfig config = packed;
+        config.traversal = traversal;
+        EXPECT_EQ(shading(config, Step::shade_prim), shading({.traversal = traversal}, Step::shade_prim))
+            << "which reads none, or others";
+    }
     EXPECT_NE(shading({.forced = Feature::reflections}, Step::rt_prim), shading({}, Step::rt_prim));
     // Tables alone.
     for (const Feature feature : {Feature::wide_references, Feature::node_boxes})

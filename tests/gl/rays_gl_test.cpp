@@ -13,13 +13,14 @@ using test::ContextTest;
 
 class RaysGl : public ContextTest {
   protected:
-    void compare(const FlatScene& scene, std::span<const Ray> rays, bool any_hit) {
+    void compare(const FlatScene& scene, std::span<const Ray> rays, bool any_hit,
+                 NodeEncoding nodes = NodeEncoding::float4) {
         const KdTree tree = build_tree(scene.triangles, {});
         CpuTracer cpu(scene, tree);
         GlTracer gl_tracer(*context);
         gl_tracer.upload(scene, tree);
-        compare(cpu, gl_tracer, rays, any_hit);
-        if (!context->is_software()) return;
+        compare(cpu, gl_tracer, rays, any_hit, nodes);
+        if (!context->is_software() || nodes != NodeEncoding::float4) return;
         // Where they are right already, correcting them changes nothing.
         gl_tracer.correct_rounding(true);
         compare(cpu, gl_tracer, rays, any_hit);
@@ -36,16 +37,19 @@ class RaysGl : public ContextTest {
         return walks;
     }
 
-    static void compare(CpuTracer& cpu, GlTracer& gl_tracer, std::span<const Ray> all, bool any_hit) {
+    /// The CPU walks nodes of 16 bytes, OpenGL `nodes`.
+    static void compare(CpuTracer& cpu, GlTracer& gl_tracer, std::span<const Ray> all, bool any_hit,
+                        NodeEncoding nodes = NodeEncoding::float4) {
         for (const auto& [traversal, rules] : walks()) {
             // Without a stack some published walks never end; under the first edition's rules most of them.
             const bool may_be_endless = rules != Rules::robust && !info(traversal).has(walk_stack);
             const bool most_are = may_be_endless && rules == Rules::first_edition;
             const std::span<const Ray> rays = all.first(most_are ? std::min<std::size_t>(all.size(), 200) : all.size());
-            const TraceConfig config{.traversal = traversal, .rules = rules};
+            TraceConfig config{.traversal = traversal, .rules = rules};
             std::vector<Hit> expected(rays.size()), found(rays.size());
             std::vector<RayCounters> expected_counters(rays.size()), counters(rays.size());
             cpu.trace_rays(config, rays, any_hit, expected, expected_counters, 2);
+            config.nodes = nodes;
             gl_tracer.trace_rays(config, rays, any_hit, found, counters);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 // llvmpipe ends the loops of such a ray and its neighbours before their budget does, which is told as a
@@ -64,6 +68,11 @@ TEST_P(RaysGl, UnkindRaysThroughASoup) {
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 9000, 12);  // more than two rows
     compare(scene, rays, false);
     compare(scene, rays, true);
+}
+
+TEST_P(RaysGl, ThroughNodesOfEightBytes) {
+    const FlatScene scene = test::scene_of(test::random_soup(300, 0.2f, 11));
+    compare(scene, test::unkind_rays(scene.triangles, 3000, 12), false, NodeEncoding::packed);
 }
 
 TEST_P(RaysGl, UnkindRaysThroughACity) {

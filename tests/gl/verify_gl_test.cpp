@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/compare.h"
@@ -205,6 +206,12 @@ std::vector<ContextKind> software_contexts() {
     return kinds;
 }
 
+std::size_t walks_over_packed_nodes() {
+    return std::size_t(std::ranges::count_if(traversals(), [](const TraversalInfo& walk) {
+        return walk.id != Traversal::naive && !walk.has(walk_parents);
+    }));
+}
+
 TEST(Verify, CpuAndGlAgreeWithBruteForce) {
     VerifyConfig config = small_config();
     config.contexts = software_contexts();
@@ -214,16 +221,56 @@ TEST(Verify, CpuAndGlAgreeWithBruteForce) {
         const VerifyReport report = verify(scene, {}, config);
         EXPECT_TRUE(report.passed()) << failures(report);
         for (const ContextKind kind : config.contexts) {
-            // Naive once, the others for each builder, the stack with both layouts of the leaf lists.
+            // Naive once, the others for each builder, the stack with both layouts of the leaf lists, and a diagonal of
+            // builders and traversals with the other nodes.
             const auto rows = std::ranges::count(report.rows, name_of(kind), &VerifyRow::context);
-            EXPECT_EQ(rows, std::ptrdiff_t(1 + builders().size() * traversals().size())) << name_of(kind);
+            const std::size_t diagonal = std::max(builders().size(), walks_over_packed_nodes());
+            EXPECT_EQ(rows, std::ptrdiff_t(1 + builders().size() * traversals().size() + diagonal)) << name_of(kind);
         }
         for (const VerifyRow& row : report.rows) {
             EXPECT_EQ(row.pixel_rays, 48 * 48) << row.traversal;
-            const bool compared = row.tracer == "gl-fragment" && row.traversal != "naive";
+            const bool compared = (row.tracer == "gl-fragment" && row.traversal != "naive") || row.node_bytes == 8;
             EXPECT_EQ(row.counter_mismatches.has_value(), compared) << row.traversal << " " << row.tracer;
         }
     }
+}
+
+/// What a row was traced through, as far as nodes matter.
+using NodesSeen = std::set<std::pair<std::string, int>>;
+
+TEST(Verify, EveryBuilderTraversalAndMachineSeesBothKindsOfNodes) {
+    VerifyConfig config = small_config();
+    config.width = config.height = 8;
+    config.adversarial_rays = 50;
+    config.contexts = software_contexts();
+    const FlatScene scene = test::scene_of(test::random_soup(50, 0.2f, 4));
+    const auto check = [&] {
+        const VerifyReport report = verify(scene, {}, config);
+        EXPECT_TRUE(report.passed()) << failures(report);
+        NodesSeen seen;
+        for (const VerifyRow& row : report.rows)
+            for (const std::string& name : {row.builder, row.traversal, row.tracer + row.context})
+                seen.insert({name, row.node_bytes});
+        return seen;
+    };
+    NodesSeen wanted{{"-", 0}, {"naive", 0}, {"cpu-", 16}, {"cpu-", 8}};
+    for (const int bytes : {16, 8}) {
+        for (const Builder& builder : builders()) wanted.emplace(builder.name, bytes);
+        for (const TraversalInfo& t : traversals())
+            if (t.id != Traversal::naive && (bytes == 16 || !t.has(walk_parents))) wanted.emplace(t.name, bytes);
+        for (const ContextKind kind : config.contexts)
+            wanted.emplace("gl-fragment" + std::string(name_of(kind)), bytes);
+    }
+    for (const ContextKind kind : config.contexts) wanted.emplace("gl-fragment" + std::string(name_of(kind)), 0);
+    if (config.contexts.empty()) GTEST_SKIP() << "NO CONTEXT: neither OSMesa nor EGL in software";
+    EXPECT_EQ(check(), wanted);
+    // Those asked for alone.
+    config.contexts.clear();
+    config.builders = {"paper"};
+    config.traversals = {"stack", "backtrack"};
+    config.nodes = NodeEncoding::packed;
+    EXPECT_EQ(check(),
+              (NodesSeen{{"paper", 8}, {"stack", 8}, {"cpu-", 8}, {"paper", 16}, {"backtrack", 16}, {"cpu-", 16}}));
 }
 
 TEST(Verify, OneTriangleAndNoTriangle) {
@@ -242,7 +289,9 @@ TEST(Verify, ManyTrianglesGetStratifiedRaysAndSaySo) {
     config.builders = {"paper"};
     config.traversals = {"restart"};
     const VerifyReport report = verify(test::scene_of(test::random_soup(300, 0.2f, 1)), {}, config);
-    ASSERT_EQ(report.rows.size(), 2u);  // with both layouts of the leaf lists
+    ASSERT_EQ(report.rows.size(), 3u);  // with both layouts of the leaf lists, and both of nodes
+    EXPECT_EQ(report.rows[1].node_bytes, 8);
+    EXPECT_EQ(report.rows[2].leaf_lists, "duplicated");
     EXPECT_EQ(report.rows[0].pixel_rays, 256);
     EXPECT_EQ(report.rows[0].traversal, "restart");
     ASSERT_FALSE(report.notes.empty());

@@ -17,4 +17,6 @@ done
 for id in $(cases_with_mismatches long.json) $(cases_with_verdict exempt long.json); do
     [[ $id =~ ^(T04|T24|T28)$ ]] || fail "$id has mismatches, or is exempt"
 done
+# Over nodes of 8 bytes a tenth of the rays.
+"$KDSCOPE" stability --nodes 8 --json >packed.json || fail "a case fails over nodes of 8 bytes: $(cases_with_verdict fail packed.json)"
 echo "passed"

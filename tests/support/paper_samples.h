@@ -65,11 +65,14 @@ inline PaperResults paper_results(const PaperMs& ms, double noise, int rounds = 
         results.scenes.push_back(scene);
     }
     results.budgets = {{"ball:2000", 2000, 255, 4096, 400}, {"ball:2000", 2000, 1024, 4096, 0}};
-    results.node_sizes = {{"ball:9000", 5000, {"16", {}}, {"8", {}}}};
+    for (const bool gpu : {false, true})
+        results.node_sizes.push_back({"ball:9000", gpu, 5000, {"16", {}}, {"8", {}}, "steady clock"});
     results.triangle_tests = {{"ball:9000", {"once", {}}, {"twice", {}}}};
     for (int i = 0; i < rounds; ++i) {
-        results.node_sizes[0].wide.rounds.push_back({120 + noise * i});
-        results.node_sizes[0].narrow.rounds.push_back({100 + noise * i});
+        for (PaperNodeSizes& sizes : results.node_sizes) {
+            sizes.wide.rounds.push_back({120 + noise * i});
+            sizes.packed.rounds.push_back({100 + noise * i});
+        }
         results.triangle_tests[0].once.rounds.push_back({100});
         results.triangle_tests[0].twice.rounds.push_back({140 + noise * i});
     }

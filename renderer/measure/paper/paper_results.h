@@ -94,11 +94,13 @@ struct PaperBudget {
     std::int64_t pixels = 0, unfinished = 0;
 };
 
-/// Stack traversals of the same rays over the same tree with nodes of 16 and of 8 bytes.
+/// Whole frames by the stack over the same tree, with nodes of 16 and of 8 bytes.
 struct PaperNodeSizes {
     std::string scene;
+    bool gpu = false;  // the four passes; else the CPU
     std::size_t nodes = 0;
-    TimedRounds wide, narrow;
+    TimedRounds wide, packed;
+    std::string clock;
 };
 
 /// Stack traversals of the same rays, with every triangle tested once and twice.

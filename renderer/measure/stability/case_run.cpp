@@ -107,6 +107,7 @@ void CaseRun::each(const Subject& subject, const Use& use, Refusal refusal) {
             TraceConfig trace;
             trace.traversal = traversal->id;
             trace.rules = config_.rules;
+            trace.nodes = config_.nodes;
             StabilityRow& r = row(machine->tracer(), machine->context(), traversal->name);
             use_whole(*machine, trace, r, use);
             done_ += step;
@@ -219,6 +220,15 @@ void CaseRun::judge_exact(const Reference& reference, const std::vector<Hit>& fo
                             name_of(error.verdict), error.ulps, exact_text(scene, reference.loop.rays[i]),
                             exact_text(scene, reference.exact[i]), exact_text(scene, found[i])));
     }
+}
+
+std::vector<TraceConfig> CaseRun::with_both_nodes(TraceConfig trace) {
+    std::vector<TraceConfig> both;
+    for (const NodeEncoding nodes : {NodeEncoding::float4, NodeEncoding::packed}) {
+        trace.nodes = nodes;
+        if (nodes_in_force(trace) == nodes) both.push_back(trace);
+    }
+    return both;
 }
 
 void CaseRun::record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason) {

@@ -82,6 +82,9 @@ class CaseRun {
     void each_answer(const Subject& subject, const std::vector<Ray>& rays, const JudgeAnswer& judge,
                      Counted counted = Counted::here);
 
+    /// The nodes that a case about what nodes hold walks over: of both kinds, unless the walk needs one of them.
+    [[nodiscard]] static std::vector<TraceConfig> with_both_nodes(TraceConfig trace);
+
     /// A row of its own, for what no traversal takes part in: `mismatches` of `n`, and why.
     void record(std::string_view what, std::int64_t n, std::int64_t mismatches, const std::string& reason = {});
 

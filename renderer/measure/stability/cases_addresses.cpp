@@ -18,12 +18,14 @@ namespace {
 /// Texels per node of the longest table that a walk reads: nodes, then boxes, and ropes behind them.
 int texels_per_node(const TraversalInfo& walk) { return walk.has(walk_ropes) ? 4 : walk.has(walk_boxes) ? 2 : 1; }
 
-/// Traces by the walks with so many texels per node; each answer has to be the loop's.
+/// Traces by the walks with so many texels per node, over both kinds of nodes, or those of 8 bytes alone where the
+/// tree is too large for floats; each answer has to be the loop's.
 void trace_placed(CaseRun& run, const Subject& subject, const std::vector<Ray>& rays, int texels,
                   LeafLists lists = LeafLists::references) {
     const std::vector<Hit> expected = run.loop_hits(subject.scene, rays);
-    const auto trace = [&](RayMachine& machine, TraceConfig config, StabilityRow& row) {
-        if (texels_per_node(info(config.traversal)) != texels) return;
+    const bool fits_floats = std::int64_t(subject.tree.nodes.size()) <= float_index_limit;
+    const auto trace_over = [&](RayMachine& machine, TraceConfig config, StabilityRow& row) {
+        if (config.nodes == NodeEncoding::float4 && !fits_floats) return;
         config.leaf_lists = lists;
         std::vector<Hit> hits(rays.size());
         (void)machine.trace(config, rays, false, hits, {}, run.stop());
@@ -32,9 +34,14 @@ void trace_placed(CaseRun& run, const Subject& subject, const std::vector<Ray>& 
         for (std::size_t i = 0; i < rays.size(); ++i)
             if (!bit_equal(hits[i], expected[i]))
                 CaseRun::fail(row,
-                              fmt::format("{} nodes, {} texels each: ray {}: expected {}, found {}",
-                                          subject.tree.nodes.size(), texels, exact_text(subject.scene, rays[i]),
-                                          exact_text(subject.scene, expected[i]), exact_text(subject.scene, hits[i])));
+                              fmt::format("{} nodes of {} bytes, {} texels each: ray {}: expected {}, found {}",
+                                          subject.tree.nodes.size(), bytes_of(config.nodes), texels,
+                                          exact_text(subject.scene, rays[i]), exact_text(subject.scene, expected[i]),
+                                          exact_text(subject.scene, hits[i])));
+    };
+    const auto trace = [&](RayMachine& machine, const TraceConfig& config, StabilityRow& row) {
+        if (texels_per_node(info(config.traversal)) != texels) return;
+        for (const TraceConfig& with : CaseRun::with_both_nodes(config)) trace_over(machine, with, row);
     };
     run.each(subject, trace, CaseRun::Refusal::may_refuse);
 }
@@ -50,7 +57,8 @@ TreePlaces last_places(std::int32_t nodes, std::int32_t leaves) {
 constexpr std::int32_t most_places = 1 << 24;
 static_assert(most_places == float_index_limit);
 
-/// A tree on both sides of texel 2^24 of the longest table; of nodes and list entries there are no more than that.
+/// A tree on both sides of texel 2^24 of the longest table; of nodes of 16 bytes and list entries there are no more
+/// than that, of nodes of 8 bytes there are.
 void run_last_places(CaseRun& run) {
     constexpr std::int32_t leaves = 64;
     const auto trace = [&](std::int32_t nodes, int texels, LeafLists lists, std::int32_t unseen) {
@@ -62,6 +70,7 @@ void run_last_places(CaseRun& run) {
         trace(most_places / texels + 2 * leaves, texels, LeafLists::references, 0);
     };
     trace(most_places, 1, LeafLists::references, 0);
+    trace_tables(1);
     trace_tables(4);
     if (!run.long_run()) return;
     trace_tables(2);
@@ -70,23 +79,34 @@ void run_last_places(CaseRun& run) {
     trace(1 << 12, 1, LeafLists::references, most_places / 3 - leaves / 2);
 }
 
-void run_float_indices(CaseRun& run) {
-    for (const std::int32_t index : {(1 << 24) - 1, 1 << 24, (1 << 24) + 1}) {
-        KdTree tree;
-        tree.nodes[0].count = 1;
-        tree.nodes[0].link = index;
-        KdTree back;
-        const std::string refused =
-            refusal([&] { back = decode_float4(encode_float4(tree), tree.references, tree.bounds); });
-        const bool right = index > float_index_limit ? !refused.empty() : refused.empty() && back == tree;
-        run.record("nodes", 1, right ? 0 : 1, right ? refused : fmt::format("{} does not come back", index));
-    }
+/// A leaf with such a list comes back from the encoding, or is refused where it is beyond `limit`.
+template <class RoundTrip>
+void run_number(CaseRun& run, std::int32_t number, std::int64_t limit, const RoundTrip& round_trip) {
+    KdTree tree;
+    tree.nodes[0].count = tree.nodes[0].link = number;
+    KdTree back;
+    const std::string refused = refusal([&] { back = round_trip(tree); });
+    const bool right = number > limit ? !refused.empty() : refused.empty() && back == tree;
+    run.record("nodes", 1, right ? 0 : 1, right ? refused : fmt::format("{} does not come back", number));
+}
+
+void run_largest_numbers(CaseRun& run) {
+    for (const std::int32_t number : {(1 << 24) - 1, 1 << 24, (1 << 24) + 1})
+        run_number(run, number, float_index_limit,
+                   [](const KdTree& tree) { return decode_float4(encode_float4(tree), {}, {}); });
+    for (const std::int32_t number : {(1 << 30) - 2, (1 << 30) - 1, 1 << 30})
+        run_number(run, number, packed_link_limit,
+                   [](const KdTree& tree) { return decode_packed(encode_packed(tree), {}, {}); });
     const GlLimits large{std::int64_t(1) << 40, 16384};
-    const auto upload = [&](const UploadSizes& sizes) { return refusal([&] { check_upload(sizes, large); }); };
-    const std::int64_t limit = float_index_limit;
-    const bool nodes = upload({.nodes = limit}).empty() && !upload({.nodes = limit + 1}).empty();
-    const bool lists = upload({.references = limit}).empty() && !upload({.references = limit + 1}).empty();
-    run.record("upload", 2, int(!nodes) + int(!lists));
+    for (const auto& [encoding, limit] :
+         {std::pair(NodeEncoding::float4, float_index_limit), {NodeEncoding::packed, packed_link_limit}}) {
+        const auto check = [&, trace = TraceConfig{.nodes = encoding}](const UploadSizes& sizes) {
+            return refusal([&] { check_config(sizes, trace, large); });
+        };
+        const bool nodes = check({.nodes = limit}).empty() && !check({.nodes = limit + 1}).empty();
+        const bool lists = check({.references = limit}).empty() && !check({.references = limit + 1}).empty();
+        run.record("upload", 2, int(!nodes) + int(!lists));
+    }
     // Addresses of triangles are integers: three texels each, up to what the context holds.
     const GlLimits usual{134'217'728, 16384};
     const std::int64_t most = usual.buffer_texels / 3;
@@ -155,17 +175,20 @@ void run_numbers(CaseRun& run) {
 }  // namespace
 
 StabilityCase case_T45() {
-    return {"T45",
-            "Numbers at the end of float",
-            "Node links 2^24 - 1, 2^24, 2^24 + 1 in the tree's float texels; as many nodes, list entries and triangles "
-            "to upload; rays through a tree that is the last of 2^24 nodes and list entries, and with ropes on both "
-            "sides of texel 2^24 (in a long run with boxes, copied corners and triangles, too: 2 GB)",
-            "exact; brute force",
-            "up to 2^24 it comes back exactly, beyond it is refused; 0 mismatches",
-            [](CaseRun& run) {
-                run_float_indices(run);
-                run_last_places(run);
-            }};
+    return {
+        "T45",
+        "Numbers at the end of float",
+        "Links and counts 2^24 - 1, 2^24, 2^24 + 1 in the tree's float texels, 2^30 - 2, 2^30 - 1, 2^30 in nodes of 8 "
+        "bytes; as "
+        "many nodes, list entries and triangles to upload; rays through a tree that is the last of 2^24 nodes and "
+        "list entries, over nodes of 8 bytes on both sides of 2^24, and with ropes on both sides of texel 2^24 (in a "
+        "long run with boxes, copied corners and triangles, too: 2 GB)",
+        "exact; brute force",
+        "up to 2^24, or 2^30 - 1 in nodes of 8 bytes, it comes back exactly, beyond it is refused; 0 mismatches",
+        [](CaseRun& run) {
+            run_largest_numbers(run);
+            run_last_places(run);
+        }};
 }
 
 StabilityCase case_T46() {

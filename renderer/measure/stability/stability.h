@@ -12,6 +12,7 @@
 
 #include "renderer/gl/context_kinds.h"
 #include "renderer/trace/rules.h"
+#include "renderer/trace/trace_config.h"
 
 namespace kd {
 
@@ -38,6 +39,7 @@ struct StabilityConfig {
     bool long_run = false;                // all rays of a case instead of a tenth
     std::vector<std::string> traversals;  // empty = all but naive
     Rules rules = Rules::robust;
+    NodeEncoding nodes = NodeEncoding::float4;  // of the tracers, where a case does not try both
     bool cpu = true;
     std::vector<ContextKind> contexts;
     int threads = 0;

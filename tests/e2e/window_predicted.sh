@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Visits of nodes in the window: counted behind it, held against the prediction, and as colours of cells.
+SCREEN=1280x720
+source "$(dirname -- "${BASH_SOURCE[0]}")/window_helpers.bash"
+
+start_window ball:1000
+press Shift+p
+wait_for '^bottom=PREDICTED$'
+wait_for '^visits.outdated=false$'
+wait_for '^visits.kind=primary$'
+holds "$(value visits.rho) > 0 && $(value visits.rho) < 1" || fail "rho is $(value visits.rho)"
+holds "$(value visits.interior) < $(value visits.predicted_interior)" || fail "nothing stops the rays"
+
+# A click on a point selects its node; the root is the point of most predicted visits.
+last=$(places | grep -o 'visits/interior node [0-9]*' | sort -k3n -t' ' | tail -1)
+click_on "PREDICTED/$last"
+wait_for '^window.node=$'
+
+# Other rays are counted anew.
+choose "PREDICTED/rays of nodes" shadow
+wait_for '^settings.view.map.rays=shadow$'
+wait_for '^visits.kind=shadow$'
+
+# Cells take their colours from the counts; the legend says of what.
+press s
+wait_for '^settings.view.overlay.shown=true$'
+choose "VIEW/split colours" ratio
+wait_for '^settings.view.overlay.colour=ratio$'
+wait_for '^cells.title=cells: visits over predicted$'
+wait_for '^cells.counted=[1-9]'
+
+# The loop over all triangles has no tree to visit.
+choose "TRACING/traversal" naive
+wait_for '^visits.rays=0$'
+click_on "PREDICTED/times"
+wait_for '^bottom=TIME$'
+echo "passed"
