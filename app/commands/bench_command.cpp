@@ -113,7 +113,8 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     bench.session = options.session_for(name);
     check_frame_memory(bench.session.width, bench.session.height);
     bench.scene = open_scene(options, bench.session);
-    bench.tree = build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop);
+    bench.tree =
+        build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop, bench.session.threads);
     check_stop(context);
     for (const std::string& note : build_notes(bench.build))
         bench.notes.push_back(fmt::format("{}: tree: {}", name, note));

@@ -9,13 +9,16 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
 #include "app/commands/commands.h"
+#include "app/commands/stats_bonus.h"
 #include "app/commands/stats_divergence.h"
 #include "app/commands/stats_predicted.h"
 #include "app/commands/stats_traversals.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
+#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/measure/ray_count.h"
 
 namespace kd {
 
@@ -25,6 +28,7 @@ struct StatsOptions : CommonOptions {
     bool every_builder = false;
     bool every_traversal = false;
     bool predicted = false;
+    bool bonuses = false;
     bool json = false;
     DivergenceOptions divergence;
 };
@@ -34,6 +38,7 @@ struct Entry {
     std::string builder;
     TreeStats stats;
     BuildReport build;
+    std::array<CounterTotals, pass_count> visits;  // of the rays that the session's picture takes, by the CPU
     std::optional<GlMemory> gl;
     std::string gl_refused;  // why there is no `gl`
 };
@@ -81,6 +86,35 @@ struct Quantity {
     std::string (*text)(const Entry&);
 };
 
+/// Shares of the leaves in percent, by triangles: the edges of these classes.
+constexpr std::array<int, 6> leaf_classes{0, 1, 2, 4, 8, std::numeric_limits<int>::max()};
+constexpr const char* leaf_classes_title = "leaves of 0/1/2/3-4/5-8/9+, %";
+
+std::string leaf_shares_text(const Entry& e) {
+    std::string text;
+    std::size_t size = 0;
+    for (const int last : leaf_classes) {
+        std::int64_t leaves = 0;
+        for (; size < e.stats.leaf_sizes.size() && int(size) <= last; ++size) leaves += e.stats.leaf_sizes[size];
+        text += fmt::format("{}{:.0f}", text.empty() ? "" : "/", 100.0 * double(leaves) / double(e.stats.leaves));
+    }
+    return text;
+}
+
+std::string phases_text(const Entry& e) {
+    const BuildPhases& p = e.build.phases;
+    return fmt::format("{:.0f}/{:.0f}/{:.0f}/{:.0f}", 1e3 * p.prepare, 1e3 * p.choose, 1e3 * p.divide, 1e3 * p.leaves);
+}
+
+template <Pass rays>
+std::string visits_text(const Entry& e) {
+    const CounterTotals& t = e.visits[std::size_t(rays)];
+    if (t.rays == 0) return "-";
+    const auto mean = [&](std::uint64_t sum) { return double(sum) / double(t.rays); };
+    return fmt::format("{:.1f}/{:.1f}/{:.1f}", mean(t.interior_first + t.interior_again), mean(t.leaves),
+                       mean(t.triangle_tests));
+}
+
 std::string gl_text(const Entry& e, std::int64_t GlMemory::*part) { return e.gl ? bytes_text((*e.gl).*part) : "-"; }
 
 std::string share_text(std::int64_t part, std::int64_t whole) {
@@ -92,6 +126,7 @@ constexpr Quantity quantities[] = {
     {"interior nodes", [](const Entry& e) { return fmt::format("{}", e.stats.interior); }},
     {"leaves", [](const Entry& e) { return fmt::format("{}", e.stats.leaves); }},
     {"empty leaves", [](const Entry& e) { return share_text(e.stats.empty_leaves, e.stats.leaves); }},
+    {leaf_classes_title, leaf_shares_text},
     {"largest leaf, triangles", [](const Entry& e) { return fmt::format("{}", e.stats.largest_leaf); }},
     {"deepest leaf, levels", [](const Entry& e) { return fmt::format("{}", e.stats.deepest); }},
     {"mean leaf depth, levels", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.mean_leaf_depth); }},
@@ -102,14 +137,20 @@ constexpr Quantity quantities[] = {
      [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_interior_visits); }},
     {"expected leaf visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_leaf_visits); }},
     {"expected triangle tests", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_triangle_tests); }},
+    {"visits: primary rays", visits_text<Pass::rt_prim>},
+    {"visits: shadow rays", visits_text<Pass::shade_prim>},
+    {"visits: reflection rays", visits_text<Pass::rt_refl>},
+    {"visits: reflection-shadow rays", visits_text<Pass::shade_refl>},
     {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", 1e3 * e.build.seconds); }},
+    {"sort/choose/divide/leaves, ms", phases_text},
     {"limits hit",
      [](const Entry& e) {
          const std::string depth = e.build.depth_limit_hit ? "depth" : "";
          const std::string cap = e.build.reference_cap_hit ? "references" : "";
          return depth.empty() && cap.empty() ? "none" : depth + (depth.empty() || cap.empty() ? "" : ", ") + cap;
      }},
-    {"memory: nodes", [](const Entry& e) { return bytes_text(e.stats.node_bytes); }},
+    {"memory: nodes of 16 bytes", [](const Entry& e) { return bytes_text(e.stats.node_bytes); }},
+    {"memory: nodes of 8 bytes", [](const Entry& e) { return bytes_text(e.stats.packed_node_bytes); }},
     {"memory: lists of references", [](const Entry& e) { return bytes_text(e.stats.reference_list_bytes); }},
     {"memory: lists of copies", [](const Entry& e) { return bytes_text(e.stats.duplicated_list_bytes); }},
     {"GL: nodes", [](const Entry& e) { return gl_text(e, &GlMemory::nodes); }},
@@ -123,8 +164,13 @@ constexpr Quantity quantities[] = {
 };
 
 Json json_of(const Entry& e) {
+    Json visits = Json::object();
+    for (std::size_t rays = 0; rays < pass_count; ++rays) visits[option_name(Pass(rays))] = kd::json_of(e.visits[rays]);
     Json json{{"builder", e.builder},
               {"build_ms", 1e3 * e.build.seconds},
+              {"build_phases", kd::json_of(e.build.phases)},
+              {"idle_hand_splits", e.build.idle_hand_splits},
+              {"visits", visits},
               {"depth_limit_hit", e.build.depth_limit_hit},
               {"reference_cap_hit", e.build.reference_cap_hit},
               {"tree", kd::json_of(e.stats)}};
@@ -150,6 +196,14 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         table.add_row(cells);
     }
     table.print(out);
+    out << fmt::format(
+        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests "
+        "per ray,\ncounted on the CPU in a {}x{} picture with {}. Phases of the build: added over "
+        "threads.\n",
+        session.width, session.height, info(session.trace.traversal).name);
+    for (const Entry& entry : entries)
+        for (const std::string& note : build_notes(entry.build))
+            if (note != reference_cap_note) out << fmt::format("note: {}: {}\n", entry.builder, note);
     out << fmt::format("GL memory is that of gl-fragment with {}, {} lists and a {}x{} picture.\n",
                        info(session.trace.traversal).name, name_of(session.trace.leaf_lists), session.width,
                        session.height);
@@ -178,14 +232,18 @@ void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversa
                  {"--tile", divergence, "only --divergence has groups to choose; add it"}});
     for (const char* shown : {"--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{shown, !traversals, "--traversals shows them with and without; leave one of them out"}});
-    for (const char* camera : {"--eye", "--target", "--up", "--fov", "--camera"})
-        if (app.get_option_no_throw(camera)) refuse_idle(app, {{camera, walks, no_walks}});
 }
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
     const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
     check_uses(app, divergence, ballot, options.every_traversal, options.predicted);
-    refuse_idle(app, {{"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    refuse_idle(
+        app,
+        {{"--bonus", !divergence && !ballot && !options.every_traversal && !options.every_builder && !options.predicted,
+          "cannot be given with another table; ask for one of them"},
+         {"--empty-bonus", !options.bonuses, "--bonus shows several; leave one of them out"},
+         {"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
+    if (options.bonuses) return run_bonuses(options, options.json, context);
     if (options.predicted)
         return run_predicted(options, options.divergence, options.every_builder, options.json, context);
     if (ballot) return run_ballots(options, options.divergence, options.json, context);
@@ -204,14 +262,25 @@ int run(const CLI::App& app, const StatsOptions& options, CommandContext& contex
             names.clear();
             for (const Builder& builder : builders()) names.emplace_back(builder.name);
         }
+        check_frame_memory(session.width, session.height);
+        const PinholeCamera camera = pinhole(scene.camera, session.width, session.height);
+        RayCounts rays{};
         std::vector<Entry> entries;
         for (const std::string& builder : names) {
             session.build.builder = builder;
-            Entry entry{builder, {}, {}, {}, {}};
+            Entry entry{builder, {}, {}, {}, {}, {}};
             const auto show = [&](float done) { progress.show(done, name + ": " + builder); };
-            const KdTree tree = build_tree(scene.triangles, session.build, &entry.build, show, context.stop);
+            const KdTree tree =
+                build_tree(scene.triangles, session.build, &entry.build, show, context.stop, session.threads);
             check_stop(context);
             entry.stats = tree_stats(tree, scene.triangles.size(), session.build);
+            // The same rays for every tree.
+            if (entries.empty())
+                rays = count_rays(scene, tree, session.trace, camera, session.width, session.height, context.stop);
+            Frame frame(session.width, session.height);
+            CpuTracer(scene, tree).trace_frame(session.trace, camera, frame, session.threads, context.stop);
+            check_stop(context);
+            entry.visits = pass_totals(frame, rays);
             probe.measure(scene, tree, session, entry);
             entries.push_back(std::move(entry));
         }
@@ -236,6 +305,8 @@ CommandBody declare(CLI::App& app) {
     add_scenes(app, *options);
     app.add_flag("--builders", options->every_builder, "All builders side by side");
     app.add_flag("--json", options->json, "JSON instead of a table");
+    app.add_flag("--bonus", options->bonuses,
+                 "Instead: trees with bonuses for empty space from 0 to 0.8, with the gate and without, timed in turn");
     app.add_flag("--traversals", options->every_traversal, "Instead: what every traversal visits, side by side");
     app.add_flag("--predicted", options->predicted,
                  "Instead: visits of nodes, counted and as the surface area heuristic predicts them");
@@ -255,6 +326,7 @@ Command stats_command() {
             "  kdscope stats scatter:10000 --builders --json\n"
             "  kdscope stats ball:9000 --divergence --traversal restart --rays primary --svg width.svg\n"
             "  kdscope stats ball:9000 --ballot --size 128x128\n"
+            "  kdscope stats ball:9000 rooms --bonus\n"
             "  kdscope stats ball:9000 rooms scatter:10000 --traversals --rays primary\n"
             "  kdscope stats rooms --predicted --rays primary --svg predicted.svg\n",
             declare};

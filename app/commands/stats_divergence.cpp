@@ -179,7 +179,7 @@ WalkedScene open_walked(const CommonOptions& common, const std::string& name, Co
     const Session& s = opened.session;
     check_frame_memory(s.width, s.height);
     opened.scene = open_scene(common, opened.session);
-    opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop);
+    opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
     check_stop(context);
     opened.camera = pinhole(opened.scene.camera, s.width, s.height);
     return opened;

@@ -141,7 +141,7 @@ int run(const CLI::App& app, const TraceOptions& options, CommandContext& contex
     const std::vector<Ray> asked = read_rays_csv(options.rays);
     require_context(options, true);
     const FlatScene scene = open_scene(options, session);
-    const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+    const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop, session.threads);
     check_stop(context);
     const auto tracers = wanted_tracers(options, scene, tree, context);
     const auto [table, check] = [&] {

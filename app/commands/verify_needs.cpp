@@ -75,7 +75,7 @@ void print(std::ostream& out, const std::string& scene, const NeedsCheckReport& 
 int verify_needs(const CommonOptions& options, bool as_json, CommandContext& context) {
     check_frame_memory(options.session.width, options.session.height);
     const auto check = [&](const Session& session, const FlatScene& scene, const CheckProgress& show) {
-        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop);
+        const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop, session.threads);
         check_stop(context);
         const NeedsCheckReport report = check_needs(scene, tree, config_for(options, session), show, context.stop);
         return CheckedScene{report.passed(), json_of(session.scene, report),

@@ -108,14 +108,14 @@ void Engine::start_build() {
     building_scene_ = scene_;
     state_.building = {true, 0};
     build_fraction_ = 0;
-    builder_.submit([this, config, loaded = scene_](const std::stop_token& stop) {
+    builder_.submit([this, config, loaded = scene_, threads = state_.session.threads](const std::stop_token& stop) {
         auto world = std::make_shared<World>();
         world->loaded = loaded;
         world->built_with = config;
         std::string error;
         const auto progress = [this](float fraction) { build_fraction_ = fraction; };
         try {
-            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop);
+            world->tree = build_tree(loaded->flat.triangles, config, &world->report, progress, stop, threads);
             world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), config);
             world->facts = scene_facts(loaded->flat, world->tree);
         } catch (const std::exception& e) {

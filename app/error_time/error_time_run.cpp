@@ -114,7 +114,8 @@ class Run {
             if (config_.wants(report)) trees += share_of(report);
         const bool images = config_.wants(ErrorReport::p1);
         if (!images && trees == 0) return result;
-        const KdTree tree = build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_);
+        const KdTree tree =
+            build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_, opened.session.threads);
         check();
         if (images) measure_images(opened, tree, result, part(share * share_of(ErrorReport::p1)));
         if (trees > 0) measure_trees(opened, tree, result, part(share * trees));

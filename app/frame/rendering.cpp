@@ -26,7 +26,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.scene = open_scene(options, r.session);
     r.session.camera = r.scene.camera;
     const Session& s = r.session;
-    r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop);
+    r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop, s.threads);
     check_stop(context);
     for (const std::string& note : build_notes(r.build)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
     note_idle_eye(s, r.tree, r.scene.camera.eye, context);

@@ -94,7 +94,7 @@ void draw_statistics(const EngineState& state) {
     widgets::value("memory", fmt::format("{} kB", number_text(double(s.node_bytes + s.reference_list_bytes) / 1024)),
                    "Nodes at 16 bytes, leaf lists, and the triangles once.");
     widgets::value("built in", fmt::format("{} ms", number_text(state.last_build_ms)),
-                   "Wall clock of the build, one thread.");
+                   "Wall clock of the build, on all threads.");
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ std::unique_ptr<PaperWorld> open_world(const PaperConfig& config, const std::str
     auto world = std::make_unique<PaperWorld>();
     world->scene = load_scene(scene, seed);
     BuildReport report;
-    world->tree = build_tree(world->scene.triangles, config.base.build, &report, {}, stop);
+    world->tree = build_tree(world->scene.triangles, config.base.build, &report, {}, stop, config.base.threads);
     if (stop.stop_requested()) return nullptr;
     world->build_ms = 1e3 * report.seconds;
     world->camera = pinhole(world->scene.camera, config.base.width, config.base.height);

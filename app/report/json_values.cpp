@@ -143,8 +143,16 @@ Json json_of(const TreeStats& s) {
             {"expected_leaf_visits", s.expected_leaf_visits},
             {"expected_triangle_tests", s.expected_triangle_tests},
             {"node_bytes", s.node_bytes},
+            {"packed_node_bytes", s.packed_node_bytes},
             {"reference_list_bytes", s.reference_list_bytes},
             {"duplicated_list_bytes", s.duplicated_list_bytes}};
+}
+
+Json json_of(const BuildPhases& phases) {
+    return {{"prepare_ms", 1e3 * phases.prepare},
+            {"choose_ms", 1e3 * phases.choose},
+            {"divide_ms", 1e3 * phases.divide},
+            {"leaves_ms", 1e3 * phases.leaves}};
 }
 
 Json json_of(const CounterTotals& c) {

@@ -14,6 +14,10 @@ namespace kd {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
 void check_range(std::string_view name, double value, double least, double most) {
     if (value >= least && value <= most) return;  // false for NaN
     throw InputError(fmt::format("builder constant {} is {}: use a number from {} to {}", name, value, least, most));
@@ -97,8 +101,8 @@ int depth_limit(const BuildConfig& config, std::size_t n) {
 }
 
 KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config, BuildReport* report,
-                  const BuildProgress& progress, std::stop_token stop) {
-    const auto begin = std::chrono::steady_clock::now();
+                  const BuildProgress& progress, std::stop_token stop, int threads) {
+    const auto begin = Clock::now();
     const Builder& builder = named_builder(config.builder);
     check_config(config);
     check_triangles(triangles);
@@ -106,11 +110,12 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     BuildReport own_report;
     BuildReport& told = report ? *report : own_report;
     told = BuildReport{};
-    const BuildTask task{triangles, config, told, progress, std::move(stop)};
+    const BuildTask task{triangles, config, told, progress, std::move(stop), threads};
     const TriangleRanges ranges(triangles);
-    const std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
-    KdTree tree = grow_tree(task, ranges, *splitter);
-    told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
+    told.phases.prepare = seconds_since(begin);
+    KdTree tree = grow_tree(task, ranges, std::move(splitter));
+    told.seconds = seconds_since(begin);
     return tree;
 }
 

@@ -39,8 +39,8 @@ struct BuildConfig {
     /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).
     int bad_refines = 0;
     /// The tree never holds more references than this many per triangle. Children share their parent's allowance in
-    /// proportion to their triangles, and what a leaf does not use passes to the next cell, so that no part of the
-    /// scene starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
+    /// proportion to their triangles, and what a leaf does not use passes to the next cell of the same part (see
+    /// grow.h), so that nothing starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
     float reference_cap = 64.0f;
     /// Planes that the builder with bins looks at: one between every two of so many bins on each axis.
     int bins = 32;
@@ -53,7 +53,8 @@ struct BuildConfig {
     bool operator==(const BuildConfig&) const = default;
 };
 
-/// Where the time of a build went, in seconds; the rest of BuildReport::seconds is checks and bookkeeping.
+/// Where the time of a build went, in seconds added over its threads, small cells by sample (renderer/kdtree/phases.h).
+/// What is missing from BuildReport::seconds times threads is checks, bookkeeping and threads that wait.
 struct BuildPhases {
     double prepare = 0;  // projections of the triangles, sorted where the builder sorts
     double choose = 0;   // looking for the planes
@@ -61,11 +62,17 @@ struct BuildPhases {
     double leaves = 0;   // lists of leaves, trimmed
 
     [[nodiscard]] double sum() const { return prepare + choose + divide + leaves; }
+    void add(const BuildPhases& other) {
+        prepare += other.prepare;
+        choose += other.choose;
+        divide += other.divide;
+        leaves += other.leaves;
+    }
 };
 
 /// What happened during a build.
 struct BuildReport {
-    double seconds = 0;
+    double seconds = 0;  // by the wall clock
     BuildPhases phases;
     bool reference_cap_hit = false;
     bool depth_limit_hit = false;
@@ -80,7 +87,7 @@ inline constexpr std::string_view reference_cap_note =
 /// What whoever has a tree built tells people of it, a line each.
 [[nodiscard]] std::vector<std::string> build_notes(const BuildReport& report);
 
-/// Called now and then with the fraction done, 0..1, from the building thread.
+/// Called now and then with the fraction done, 0..1, from any thread of the build, one call at a time.
 using BuildProgress = std::function<void(float)>;
 
 /// What build_tree() hands to a builder, already checked: constants in range, triangles finite.
@@ -90,6 +97,7 @@ struct BuildTask {
     BuildReport& report;
     const BuildProgress& progress;  // may be empty
     std::stop_token stop;
+    int threads = 0;  // 0 = all
 };
 
 class Splitter;         // renderer/kdtree/splitter.h
@@ -108,10 +116,11 @@ struct Builder {
 
 /// Builds with the builder that `config` names; InputError for an unknown name, a constant out of range or a triangle
 /// that is not finite.
-/// A stop request ends the build early with a valid tree whose unfinished nodes are leaves.
+/// A stop request ends the build early with a valid tree whose unfinished nodes are leaves. Uses `threads` threads
+/// (0 = all); the tree is the same for any number.
 [[nodiscard]] KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config,
                                 BuildReport* report = nullptr, const BuildProgress& progress = {},
-                                std::stop_token stop = {});
+                                std::stop_token stop = {}, int threads = 0);
 
 /// Depth limit that a config means for n triangles.
 [[nodiscard]] int depth_limit(const BuildConfig& config, std::size_t n);

@@ -13,11 +13,29 @@ namespace {
 
 class BinnedSplitter : public Splitter {
   public:
-    BinnedSplitter(const BuildTask& task, const TriangleRanges& ranges)
-        : config_(task.config), ranges_(ranges), starts_(std::size_t(config_.bins)), ends_(starts_), planar_(starts_) {}
+    BinnedSplitter(const BuildTask& task, const TriangleRanges& ranges) : BinnedSplitter(task.config, ranges) {}
+    BinnedSplitter(const BuildConfig& config, const TriangleRanges& ranges)
+        : config_(config), ranges_(ranges), starts_(std::size_t(config_.bins)), ends_(starts_), planar_(starts_) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return lists.top().size() <= starts_.size() ? sweep(cell, lists.top()) : choose_plane(cell, lists);
+    }
+
+    void divide(const Aabb&, const Split& split, CellLists& lists) override {
+        lists.divide(split);
+        if (swept_ == 0) return;
+        events_.divide(split, lists.sides());
+        ++swept_;
+    }
+
+    void dropped() override {
+        if (swept_ == 0) return;
+        events_.drop();
+        --swept_;
+    }
+
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
+        return std::make_unique<BinnedSplitter>(config_, ranges_);
     }
 
   private:
@@ -31,15 +49,20 @@ class BinnedSplitter : public Splitter {
         return ranges_.axis[std::size_t(axis)][std::size_t(number)];
     }
 
+    /// The events of a small cell are sorted once, and divided in its subtree.
     std::optional<Split> sweep(const Aabb& cell, std::span<const std::int32_t> numbers) {
-        for (int axis = 0; axis < 3; ++axis) {
-            std::vector<SweepEvent>& events = events_[std::size_t(axis)];
-            events.clear();
-            const AxisRange extent{cell.lower[axis], cell.upper[axis]};
-            for (const std::int32_t n : numbers) add_events(events, std::uint32_t(n), range(axis, n), extent);
-            sort_events(events);
+        if (swept_ == 0) {
+            for (int axis = 0; axis < 3; ++axis) {
+                std::vector<SweepEvent>& events = sorted_[std::size_t(axis)];
+                events.clear();
+                const AxisRange extent{cell.lower[axis], cell.upper[axis]};
+                for (const std::int32_t n : numbers) add_events(events, std::uint32_t(n), range(axis, n), extent);
+                sort_events(events);
+            }
+            events_.push(sorted_);
+            swept_ = 1;
         }
-        return cheapest_split(config_, cell, int(numbers.size()), {events_[0], events_[1], events_[2]});
+        return cheapest_split(config_, cell, int(numbers.size()), {events_.top(0), events_.top(1), events_.top(2)});
     }
 
     std::optional<Split> choose_plane(const Aabb& cell, const CellLists& lists) {
@@ -53,10 +76,13 @@ class BinnedSplitter : public Splitter {
 
         // Bins only estimate where rounding puts a box beside a plane: the split is made by true counts.
         const SplitCost cost(config_, cell, best.axis);
-        Split split = lists.count(best.axis, best.position, true);
-        const Split other = lists.count(best.axis, best.position, false);
-        if (cost(best.position, other.below, other.above) < cost(best.position, split.below, split.above))
-            split = other;
+        const auto [below, planar, above] = lists.tally(best.axis, best.position);
+        Split split{.axis = best.axis, .position = best.position, .below = below + planar, .above = above};
+        if (planar > 0 && cost(best.position, below, above + planar) < cost(best.position, below + planar, above)) {
+            split.planar_below = false;
+            split.below = below;
+            split.above = above + planar;
+        }
         split.bad = !(cost(best.position, split.below, split.above) < leaf_cost(config_, int(lists.top().size())));
         return split;
     }
@@ -90,18 +116,23 @@ class BinnedSplitter : public Splitter {
         const double lower = cell.lower[axis];
         const double bins = double(starts_.size());
         const double per_length = bins / (double(cell.upper[axis]) - lower);
-        const std::size_t last = starts_.size() - 1;
+        const int last = int(starts_.size()) - 1;
+        const std::vector<AxisRange>& ranges = ranges_.axis[std::size_t(axis)];
+        // Plain ints and pointers: conversions to unsigned and the members' addresses took a third of the time.
+        int* const starts = starts_.data();
+        int* const ends = ends_.data();
+        int* const planar = planar_.data();
         for (const std::int32_t n : numbers) {
-            const auto [from, to] = range(axis, n);
-            const double begin = std::clamp((double(from) - lower) * per_length, 0.0, bins);
-            const std::size_t start = std::min(std::size_t(begin), last);
-            const double reach = std::clamp((double(to) - lower) * per_length, 0.0, bins);
-            std::size_t end = std::min(std::size_t(reach), last);
+            const auto [from, to] = ranges[std::size_t(n)];
+            const double begin = std::min(std::max((double(from) - lower) * per_length, 0.0), bins);
+            const int start = std::min(int(begin), last);
+            const double reach = std::min(std::max((double(to) - lower) * per_length, 0.0), bins);
+            int end = std::min(int(reach), last);
             const bool on_plane = double(end) == reach;
-            if (on_plane && end > start) --end;
-            planar_[end] += on_plane && from == to;
-            ++starts_[start];
-            ++ends_[end];
+            end -= on_plane && end > start;
+            planar[end] += on_plane && from == to;
+            ++starts[start];
+            ++ends[end];
         }
     }
 
@@ -109,7 +140,9 @@ class BinnedSplitter : public Splitter {
     const TriangleRanges& ranges_;
     std::vector<int> starts_, ends_;                 // by bin: boxes that start and end there
     std::vector<int> planar_;                        // by bin: boxes that lie in its lower face
-    std::array<std::vector<SweepEvent>, 3> events_;  // room for one small cell
+    SweepEvents events_;                             // of the unfinished cells of a small one
+    int swept_ = 0;                                  // how many these are
+    std::array<std::vector<SweepEvent>, 3> sorted_;  // room for one small cell
 };
 
 }  // namespace

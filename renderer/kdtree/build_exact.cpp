@@ -21,7 +21,7 @@ std::vector<Aabb> all_boxes(std::span<const Triangle> triangles) {
 class ExactSplitter : public Splitter {
   public:
     ExactSplitter(const BuildTask& task, const TriangleRanges& ranges)
-        : task_(task), events_(ranges, task.stop), boxes_(all_boxes(task.triangles)), sides_(task.triangles.size()) {}
+        : task_(task), events_(ranges, task.stop, task.threads), boxes_(all_boxes(task.triangles)) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return cheapest_split(task_.config, cell, int(lists.top().size()),
@@ -44,11 +44,13 @@ class ExactSplitter : public Splitter {
         halves[1].lower[split.axis] = split.position;
         const std::span<const std::int32_t> numbers = lists.top();
         const std::span<const Aabb> boxes = boxes_.top();
-        for (std::size_t i = 0; i < numbers.size(); ++i) place(numbers[i], boxes[i], split, halves);
+        std::vector<std::uint8_t>& sides = lists.sides();
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            sides[std::size_t(numbers[i])] = std::uint8_t(place(numbers[i], boxes[i], split, halves));
 
-        lists.divide(sides_);
+        lists.divide_by_sides();
         boxes_.replace_by(part_boxes_[1], part_boxes_[0]);
-        events_.divide_clipped(split, sides_, part_events_);
+        events_.divide_clipped(split, sides, part_events_);
     }
 
     void dropped() override {
@@ -56,17 +58,24 @@ class ExactSplitter : public Splitter {
         boxes_.drop();
     }
 
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
+        return std::unique_ptr<Splitter>(new ExactSplitter(task_, events_.take_top(), boxes_.take_top()));
+    }
+
   private:
-    /// Finds the sides of a triangle, with its box there.
-    void place(std::int32_t number, const Aabb& box, const Split& split, const std::array<Aabb, 2>& halves) {
+    ExactSplitter(const BuildTask& task, SweepEvents events, std::vector<Aabb> boxes)
+        : task_(task), events_(std::move(events)), boxes_(std::move(boxes)) {}
+
+    /// The sides of a triangle, which gets its boxes there.
+    unsigned place(std::int32_t number, const Aabb& box, const Split& split, const std::array<Aabb, 2>& halves) {
         const AxisRange range{box.lower[split.axis], box.upper[split.axis]};
         const unsigned sides = sides_of(range, split);
-        sides_[std::size_t(number)] = std::uint8_t(sides);
         if (sides != (side_below | side_above)) {
             part_boxes_[sides >> 1].push_back(box);
-            return;
+            return sides;
         }
         for (std::size_t side = 0; side < 2; ++side) add_part(number, box, halves[side], side);
+        return sides;
     }
 
     void add_part(std::int32_t number, const Aabb& box, const Aabb& half, std::size_t side) {
@@ -82,7 +91,6 @@ class ExactSplitter : public Splitter {
     const BuildTask& task_;
     SweepEvents events_;
     ListStack<Aabb> boxes_;  // of the triangles' parts in the unfinished cells, in the order of the cell lists
-    std::vector<std::uint8_t> sides_;  // by triangle number
     // Room for one cell, by side:
     std::array<std::vector<Aabb>, 2> part_boxes_;
     PartEvents part_events_;

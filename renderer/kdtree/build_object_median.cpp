@@ -27,6 +27,8 @@ class MedianSplitter : public Splitter {
         return std::nullopt;
     }
 
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override { return std::make_unique<MedianSplitter>(*this); }
+
   private:
     const BuildConfig& config_;
     const TriangleRanges& ranges_;

@@ -17,7 +17,7 @@ namespace {
 class PaperSplitter : public Splitter {
   public:
     PaperSplitter(const BuildTask& task, const TriangleRanges& ranges, AxisOrder order)
-        : config_(task.config), order_(order), events_(ranges, task.stop) {}
+        : config_(task.config), order_(order), events_(ranges, task.stop, task.threads) {}
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
         return cheapest_split(config_, cell, int(lists.top().size()), {events_.top(0), events_.top(1), events_.top(2)},
@@ -31,7 +31,14 @@ class PaperSplitter : public Splitter {
 
     void dropped() override { events_.drop(); }
 
+    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
+        return std::unique_ptr<Splitter>(new PaperSplitter(config_, order_, events_.take_top()));
+    }
+
   private:
+    PaperSplitter(const BuildConfig& config, AxisOrder order, SweepEvents events)
+        : config_(config), order_(order), events_(std::move(events)) {}
+
     const BuildConfig& config_;
     AxisOrder order_;
     SweepEvents events_;

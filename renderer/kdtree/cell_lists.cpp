@@ -30,20 +30,31 @@ TriangleRanges::TriangleRanges(std::span<const Triangle> triangles, const Aabb& 
     bounds = tree_bounds;
 }
 
-CellLists::CellLists(const TriangleRanges& ranges)
-    : ranges_(ranges), lists_(all_numbers(ranges.axis[0].size())), sides_(ranges.axis[0].size()) {}
+CellLists::CellLists(const TriangleRanges& ranges) : ranges_(&ranges), lists_(all_numbers(ranges.axis[0].size())) {}
 
 Split CellLists::count(int axis, float position, bool planar_below) const {
     Split split{.axis = axis, .position = position, .planar_below = planar_below};
     for (const std::int32_t number : top())
-        split.add(sides_of(ranges_.axis[std::size_t(axis)][std::size_t(number)], split));
+        split.add(sides_of(ranges_->axis[std::size_t(axis)][std::size_t(number)], split));
     return split;
+}
+
+CellLists::Tally CellLists::tally(int axis, float position) const {
+    Tally tally;
+    const std::vector<AxisRange>& ranges = ranges_->axis[std::size_t(axis)];
+    for (const std::int32_t number : top()) {
+        const auto [lower, upper] = ranges[std::size_t(number)];
+        tally.below += lower < position;
+        tally.above += upper > position;
+        tally.planar += !(lower < position) && !(upper > position);
+    }
+    return tally;
 }
 
 AxisRange CellLists::covered(int axis, const Aabb& cell) const {
     AxisRange all{cell.upper[axis], cell.lower[axis]};
     for (const std::int32_t number : top()) {
-        const AxisRange range = ranges_.axis[std::size_t(axis)][std::size_t(number)];
+        const AxisRange range = ranges_->axis[std::size_t(axis)][std::size_t(number)];
         all.lower = std::min(all.lower, range.lower);
         all.upper = std::max(all.upper, range.upper);
     }
@@ -51,16 +62,18 @@ AxisRange CellLists::covered(int axis, const Aabb& cell) const {
 }
 
 void CellLists::divide(const Split& split) {
-    const std::vector<AxisRange>& ranges = ranges_.axis[std::size_t(split.axis)];
+    const std::vector<AxisRange>& ranges = ranges_->axis[std::size_t(split.axis)];
+    std::uint8_t* const all_sides = sides().data();
     lists_.divide([&](std::int32_t number) {
         const unsigned sides = sides_of(ranges[std::size_t(number)], split);
-        sides_[std::size_t(number)] = std::uint8_t(sides);
+        all_sides[number] = std::uint8_t(sides);
         return sides;
     });
 }
 
-void CellLists::divide(const std::vector<std::uint8_t>& sides) {
-    lists_.divide([&](std::int32_t number) { return unsigned(sides[std::size_t(number)]); });
+void CellLists::divide_by_sides() {
+    const std::uint8_t* const all_sides = sides().data();
+    lists_.divide([&](std::int32_t number) { return unsigned(all_sides[number]); });
 }
 
 }  // namespace kd

@@ -44,6 +44,11 @@ class CellLists {
     /// Counts for a split of the top cell at a given plane.
     [[nodiscard]] Split count(int axis, float position, bool planar_below = true) const;
 
+    struct Tally {
+        int below = 0, planar = 0, above = 0;  // triangles that reach below a plane, lie in it, and reach above it
+    };
+    [[nodiscard]] Tally tally(int axis, float position) const;
+
     /// What the boxes of the top cell's triangles cover on an axis, cut to the cell; the other way round where there
     /// are none.
     [[nodiscard]] AxisRange covered(int axis, const Aabb& cell) const;
@@ -51,18 +56,28 @@ class CellLists {
     /// A triangle goes to the sides its box reaches into; one that lies in the plane goes where the split says.
     void divide(const Split& split);
 
-    /// A triangle of the top cell goes where `sides`, by triangle number, says.
-    void divide(const std::vector<std::uint8_t>& sides);
+    /// A triangle of the top cell goes where sides() says.
+    void divide_by_sides();
 
     void drop() { lists_.drop(); }
 
-    /// Side bits from the last divide(), by triangle number; only those of the divided cell mean something.
-    [[nodiscard]] const std::vector<std::uint8_t>& sides() const { return sides_; }
+    /// That of the top cell, which leaves these.
+    [[nodiscard]] CellLists take_top() { return {*ranges_, lists_.take_top()}; }
+
+    /// Room for side bits by triangle number, as the last divide() left them; only those of the divided cell mean
+    /// something.
+    [[nodiscard]] std::vector<std::uint8_t>& sides() {
+        if (sides_.empty()) sides_.resize(ranges_->axis[0].size());
+        return sides_;
+    }
 
   private:
-    const TriangleRanges& ranges_;
+    CellLists(const TriangleRanges& ranges, std::vector<std::int32_t> root)
+        : ranges_(&ranges), lists_(std::move(root)) {}
+
+    const TriangleRanges* ranges_;
     ListStack<std::int32_t> lists_;
-    std::vector<std::uint8_t> sides_;
+    std::vector<std::uint8_t> sides_;  // not before it is used: lists that only wait have none
 };
 
 }  // namespace kd

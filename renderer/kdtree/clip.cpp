@@ -16,30 +16,38 @@ constexpr double clip_rounding = 0x1p-45;
 /// A convex polygon gains one vertex from each of six planes; one bent by rounding may gain half as many as it has.
 constexpr std::size_t most_vertices = 28;
 
+using Point = std::array<double, 3>;  // GLM's operator[] branches on the index
+
+Point point_of(const Vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
+
 struct Vertex {
-    glm::dvec3 at;
+    Point at;
     bool is_corner;  // of the triangle, and so exact
 };
 
 struct Polygon {
-    std::array<Vertex, most_vertices> vertex;
+    std::array<Vertex, most_vertices> vertex;  // those behind `size` are left as they are
     std::size_t size = 0;
 
-    void add(const glm::dvec3& at, bool is_corner) { vertex[size++] = {at, is_corner}; }
+    Polygon() {}  // NOLINT: not {}, which would clear them all
+
+    void add(const Point& at, bool is_corner) { vertex[size++] = {at, is_corner}; }
 };
 
 /// Always from inside to outside: two triangles then find the same point on their common edge.
-glm::dvec3 crossing(const glm::dvec3& inside, const glm::dvec3& outside, int axis, double plane) {
+Point crossing(const Point& inside, const Point& outside, std::size_t axis, double plane) {
     const double t = (plane - inside[axis]) / (outside[axis] - inside[axis]);
-    glm::dvec3 point = inside + t * (outside - inside);
+    Point point;
+    for (std::size_t a = 0; a < 3; ++a) point[a] = inside[a] + t * (outside[a] - inside[a]);
     point[axis] = plane;
     return point;
 }
 
-/// Keeps what lies at sign * coordinate >= sign * plane.
-Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
-    Polygon kept;
-    if (polygon.size == 0) return kept;
+/// Keeps what lies at sign * coordinate >= sign * plane, in a polygon of its own: copying them would take most of the
+/// time.
+void cut(const Polygon& polygon, Polygon& kept, std::size_t axis, double plane, double sign) {
+    kept.size = 0;
+    if (polygon.size == 0) return;
     const auto is_inside = [&](const Vertex& v) { return sign * v.at[axis] >= sign * plane; };
     const Vertex* last = &polygon.vertex[polygon.size - 1];
     bool last_inside = is_inside(*last);
@@ -52,7 +60,6 @@ Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
         last = &next;
         last_inside = inside;
     }
-    return kept;
 }
 
 float rounded_down(double value) {
@@ -65,36 +72,48 @@ float rounded_up(double value) { return -rounded_down(-value); }
 }  // namespace
 
 Aabb clipped_bounds(const Triangle& triangle, const Aabb& cell, const Aabb& known) {
-    Polygon polygon;
-    for (const Vec3& corner : triangle.corner) polygon.add(glm::dvec3(corner), true);
-    const Aabb whole = bounds_of(triangle);
-    const glm::dvec3 margin = clip_rounding * glm::dvec3(glm::max(glm::abs(whole.lower), glm::abs(whole.upper)));
-    for (int axis = 0; axis < 3; ++axis) {
-        if (whole.lower[axis] < cell.lower[axis])
-            polygon = cut(polygon, axis, double(cell.lower[axis]) - margin[axis], 1.0);
-        if (whole.upper[axis] > cell.upper[axis])
-            polygon = cut(polygon, axis, double(cell.upper[axis]) + margin[axis], -1.0);
+    const Point low = point_of(cell.lower), high = point_of(cell.upper);
+    Polygon one, other;  // by turns
+    Polygon* polygon = &one;
+    Polygon* room = &other;
+    for (const Vec3& corner : triangle.corner) polygon->add(point_of(corner), true);
+    Point margin;
+    std::array<bool, 3> outside_below, outside_above;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto [least, most] =
+            std::minmax({one.vertex[0].at[axis], one.vertex[1].at[axis], one.vertex[2].at[axis]});
+        margin[axis] = clip_rounding * std::max(std::abs(least), std::abs(most));
+        outside_below[axis] = least < low[axis];
+        outside_above[axis] = most > high[axis];
     }
-    if (polygon.size == 0) return known;
+    const auto keep = [&](std::size_t axis, double plane, double sign) {
+        cut(*polygon, *room, axis, plane, sign);
+        std::swap(polygon, room);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (outside_below[axis]) keep(axis, low[axis] - margin[axis], 1.0);
+        if (outside_above[axis]) keep(axis, high[axis] + margin[axis], -1.0);
+    }
+    if (polygon->size == 0) return known;
 
-    glm::dvec3 lower(std::numeric_limits<double>::infinity());
-    glm::dvec3 upper = -lower;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        const auto& [at, is_corner] = polygon.vertex[i];
-        const glm::dvec3 reach = is_corner ? glm::dvec3(0.0) : margin;
-        lower = glm::min(lower, at - reach);
-        upper = glm::max(upper, at + reach);
+    // Cut down to what is known: all of it has a place among the floats.
+    const Point known_low = point_of(known.lower), known_high = point_of(known.upper);
+    std::array<float, 3> lower, upper;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (std::size_t i = 0; i < polygon->size; ++i) {
+            const auto& [at, is_corner] = polygon->vertex[i];
+            const double reach = is_corner ? 0.0 : margin[axis];
+            least = std::min(least, at[axis] - reach);
+            most = std::max(most, at[axis] + reach);
+        }
+        least = std::max(least, known_low[axis]);
+        most = std::min(most, known_high[axis]);
+        if (!(least <= most)) return known;
+        lower[axis] = rounded_down(least);
+        upper[axis] = rounded_up(most);
     }
-    // Cut down to what is known first: all of it has a place among the floats.
-    lower = glm::max(lower, glm::dvec3(known.lower));
-    upper = glm::min(upper, glm::dvec3(known.upper));
-    Aabb box;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(lower[axis] <= upper[axis])) return known;
-        box.lower[axis] = rounded_down(lower[axis]);
-        box.upper[axis] = rounded_up(upper[axis]);
-    }
-    return box;
+    return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
 }
 
 }  // namespace kd

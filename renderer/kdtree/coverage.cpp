@@ -2,25 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace kd {
 
 namespace {
-
-/// What rounding may do to a projection, relative to the corners' distance from the box's centre.
-constexpr double projection_rounding = 1e-13;
-
-/// Whether the projections on `direction` of a triangle and a box around the origin do not overlap; `margin` (in
-/// lengths) is how far apart they must be, or, negative, how far they may overlap.
-bool separates(glm::dvec3 direction, const std::array<glm::dvec3, 3>& corner, glm::dvec3 half, double margin) {
-    const double a = dot(direction, corner[0]);
-    const double b = dot(direction, corner[1]);
-    const double c = dot(direction, corner[2]);
-    const double radius = std::max(0.0, dot(abs(direction), half) + margin * length(direction));
-    return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
-}
 
 class Coverage {
   public:
@@ -108,30 +96,74 @@ class Coverage {
 
 namespace {
 
+/// What rounding may do to a projection, relative to the corners' distance from the box's centre.
+constexpr double projection_rounding = 1e-13;
+
+using Point = std::array<double, 3>;  // GLM's operator[] branches on the index
+
+/// Whether the interval [least, most] and [-radius, radius] do not overlap, by more than `margin` times the direction's
+/// length; a negative margin lets them overlap by as much.
+bool separates(double least, double most, double radius, double margin, double length_squared) {
+    // Most do overlap: without the root of a length, which a margin of 0 and more can only add to.
+    if (margin >= 0.0 && least <= radius && most >= -radius) return false;
+    const double reach = std::max(0.0, radius + margin * std::sqrt(length_squared));
+    return least > reach || most < -reach;
+}
+
+/// Whether a plane across the normal, or along an edge of both, lies between the triangle and the box around the
+/// origin.
+bool plane_between(const std::array<Point, 3>& corner, const Point& half, double margin) {
+    std::array<Point, 3> edge;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t a = 0; a < 3; ++a) edge[k][a] = corner[(k + 1) % 3][a] - corner[k][a];
+    double distance = 0.0, radius = 0.0, length_squared = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        const double normal = edge[0][b] * edge[1][c] - edge[1][b] * edge[0][c];
+        distance += normal * corner[0][a];
+        radius += std::abs(normal) * half[a];
+        length_squared += normal * normal;
+    }
+    if (separates(distance, distance, radius, margin, length_squared)) return true;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point& e = edge[k];
+            // Both ends of the edge have the same projection but for rounding.
+            const Point& end = corner[k];
+            const Point& other = corner[(k + 2) % 3];
+            const double p = e[b] * end[c] - e[c] * end[b];
+            const double q = e[b] * other[c] - e[c] * other[b];
+            const double reach = std::abs(e[c]) * half[b] + std::abs(e[b]) * half[c];
+            if (separates(std::min(p, q), std::max(p, q), reach, margin, e[b] * e[b] + e[c] * e[c])) return true;
+        }
+    }
+    return false;
+}
+
 /// Whether a plane lies between the triangle and the box scaled by `scale` about its centre: separating axes are the
 /// box's three, the triangle's normal, and the nine products of their edges (Akenine-Moeller, "Fast 3D Triangle-Box
 /// Overlap Testing", 2001), in double. `certainty` is +1 where the answer "apart" must be sure, -1 where "together"
 /// must be.
 bool apart(const Triangle& triangle, const Aabb& box, double scale, double certainty) {
-    const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
-    const glm::dvec3 half = scale * 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
-    std::array<glm::dvec3, 3> corner;
-    double reach = 0.0;
+    const glm::dvec3 low(box.lower), high(box.upper);
+    const glm::dvec3 centre = 0.5 * (low + high), extent = scale * 0.5 * (high - low);
+    const Point half{extent.x, extent.y, extent.z};
+    std::array<Point, 3> corner;
+    double reach_squared = 0.0;
+    bool corner_inside = false;
     for (std::size_t k = 0; k < 3; ++k) {
-        corner[k] = glm::dvec3(triangle.corner[k]) - centre;
-        reach = std::max(reach, length(corner[k]));
+        const glm::dvec3 at = glm::dvec3(triangle.corner[k]) - centre;
+        corner[k] = {at.x, at.y, at.z};
+        reach_squared = std::max(reach_squared, dot(at, at));
+        corner_inside |= std::abs(at.x) <= extent.x && std::abs(at.y) <= extent.y && std::abs(at.z) <= extent.z;
     }
-    const double margin = certainty * projection_rounding * reach;
-    const std::array edges{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 direction(0.0);
-        direction[axis] = 1.0;
-        if (separates(direction, corner, half, 0.0)) return true;
-        for (const glm::dvec3& edge : edges) {
-            if (separates(cross(direction, edge), corner, half, margin)) return true;
-        }
+    if (corner_inside) return false;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto [least, most] = std::minmax({corner[0][a], corner[1][a], corner[2][a]});
+        if (least > half[a] || most < -half[a]) return true;
     }
-    return separates(cross(edges[0], edges[1]), corner, half, margin);
+    return plane_between(corner, half, certainty * projection_rounding * std::sqrt(reach_squared));
 }
 
 }  // namespace

@@ -15,13 +15,26 @@ template <class T>
 class ListStack {
   public:
     /// Starts with one list.
-    explicit ListStack(std::vector<T> root) : items_(std::move(root)) {}
+    explicit ListStack(std::vector<T> root) : items_(std::move(root)), begins_{0} {}
+    ListStack() = default;
+
+    void push(std::span<const T> list) {
+        begins_.push_back(items_.size());
+        items_.insert(items_.end(), list.begin(), list.end());
+    }
 
     [[nodiscard]] std::span<const T> top() const { return std::span(items_).subspan(begins_.back()); }
 
     void drop() {
         items_.resize(begins_.back());
         begins_.pop_back();
+    }
+
+    /// The top list, which leaves the stack.
+    [[nodiscard]] std::vector<T> take_top() {
+        std::vector<T> top(items_.begin() + std::ptrdiff_t(begins_.back()), items_.end());
+        drop();
+        return top;
     }
 
     /// Puts each entry where `sides_of(entry)` says, a union of side bits.
@@ -47,6 +60,39 @@ class ListStack {
         begins_.push_back(begin + above);
     }
 
+    /// As divide() of an ordered list, but entries of both sides (or none) are left out, and each side gets more, which
+    /// are in order too.
+    template <class SidesOf, class Before>
+    void divide_and_merge(SidesOf sides_of, std::span<const T> more_below, std::span<const T> more_above,
+                          Before is_before) {
+        const std::size_t begin = begins_.back();
+        const std::size_t size = items_.size() - begin;
+        if (below_.size() < size) below_.resize(std::max(size, 2 * below_.size()));
+        T* items = items_.data() + begin;
+        std::size_t below = 0;
+        std::size_t above = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            const T item = items[i];
+            const unsigned sides = sides_of(item);
+            below_[below] = item;
+            items[above] = item;
+            below += sides == side_below;
+            above += sides == side_above;
+        }
+        const std::size_t end_above = begin + above + more_above.size();
+        items_.resize(end_above + below + more_below.size());
+        // From the back, so that nothing is overwritten that is still to be moved.
+        items = items_.data() + begin;
+        for (std::size_t left = above, more = more_above.size(); more > 0;) {
+            const bool old_is_last = left > 0 && is_before(more_above[more - 1], items[left - 1]);
+            const T last = old_is_last ? items[--left] : more_above[--more];
+            items[left + more] = last;
+        }
+        std::merge(below_.begin(), below_.begin() + std::ptrdiff_t(below), more_below.begin(), more_below.end(),
+                   items_.begin() + std::ptrdiff_t(end_above), is_before);
+        begins_.push_back(end_above);
+    }
+
     /// Puts two given lists in the place of the top one.
     void replace_by(std::span<const T> above, std::span<const T> below) {
         items_.resize(begins_.back());
@@ -57,7 +103,7 @@ class ListStack {
 
   private:
     std::vector<T> items_;
-    std::vector<std::size_t> begins_{0};
+    std::vector<std::size_t> begins_;
     std::vector<T> below_;  // room for one list
 };
 

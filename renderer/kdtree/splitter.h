@@ -28,6 +28,9 @@ class Splitter {
 
     /// The top cell became a leaf.
     virtual void dropped() {}
+
+    /// One for the top cell alone, which leaves this one.
+    [[nodiscard]] virtual std::unique_ptr<Splitter> take_top() = 0;
 };
 
 /// Builder::splitter of a kind that is made from the task, the triangles' ranges and `more`.

@@ -62,6 +62,7 @@ TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const Build
     stats.sah_cost = double(costs.traversal_cost) * stats.expected_interior_visits +
                      double(costs.intersection_cost) * stats.expected_triangle_tests;
     stats.node_bytes = stats.nodes * std::int64_t(sizeof(TreeNode));
+    stats.packed_node_bytes = stats.nodes * 8;
     stats.reference_list_bytes =
         stats.references * std::int64_t(sizeof(std::int32_t)) + stats.triangles * std::int64_t(sizeof(Triangle));
     stats.duplicated_list_bytes = stats.references * std::int64_t(sizeof(Triangle));

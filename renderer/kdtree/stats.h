@@ -19,7 +19,7 @@ struct TreeStats {
     /// traversal_cost, or times intersection_cost * triangles at a leaf (MacDonald & Booth 1990).
     double sah_cost = 0;
     double expected_interior_visits = 0, expected_leaf_visits = 0, expected_triangle_tests = 0;  // per uniform line
-    std::int64_t node_bytes = 0;                                                                 // 16 per node
+    std::int64_t node_bytes = 0, packed_node_bytes = 0;  // 16 and 8 per node (NodeEncoding)
     std::int64_t reference_list_bytes = 0;   // leaf lists as numbers, plus the triangles once
     std::int64_t duplicated_list_bytes = 0;  // leaf lists as copies of vertices (paper)
 };

@@ -1,5 +1,10 @@
 #include "renderer/kdtree/sweep_events.h"
 
+#include <bit>
+#include <numeric>
+
+#include "renderer/cpu/threads.h"
+
 namespace kd {
 
 namespace {
@@ -18,9 +23,48 @@ std::vector<SweepEvent> sorted_events(const TriangleRanges& ranges, int axis, co
     return events;
 }
 
+std::array<std::vector<SweepEvent>, 3> sorted_events(const TriangleRanges& ranges, const std::stop_token& stop,
+                                                     int threads) {
+    std::array<std::vector<SweepEvent>, 3> events;
+    parallel_ranges(3, 1, threads,
+                    [&](std::size_t axis, std::size_t) { events[axis] = sorted_events(ranges, int(axis), stop); });
+    return events;
+}
+
+/// Floats as integers of the same order; -0 stands before 0, which changes nothing: sweeps take equal ones together.
+std::uint32_t order_of(float position) {
+    const auto bits = std::bit_cast<std::uint32_t>(position);
+    return bits ^ (bits >> 31 != 0 ? 0xffffffffu : 0x80000000u);
+}
+
+/// From the lowest digit to the highest, 11 bits at a time.
+void radix_sort(std::vector<SweepEvent>& events) {
+    constexpr int digit_bits = 11, digits = 3;
+    constexpr std::uint32_t mask = (1u << digit_bits) - 1;
+    std::array<std::array<std::uint32_t, mask + 1>, digits> first{};
+    const auto digit_of = [](const SweepEvent& event, int digit) {
+        return order_of(event.position) >> (digit * digit_bits) & mask;
+    };
+    for (const SweepEvent& event : events)
+        for (int digit = 0; digit < digits; ++digit) ++first[std::size_t(digit)][digit_of(event, digit)];
+    std::vector<SweepEvent> sorted(events.size());
+    for (int digit = 0; digit < digits; ++digit) {
+        auto& place = first[std::size_t(digit)];
+        std::exclusive_scan(place.begin(), place.end(), place.begin(), 0u);
+        for (const SweepEvent& event : events) sorted[place[digit_of(event, digit)]++] = event;
+        events.swap(sorted);
+    }
+}
+
 }  // namespace
 
-void sort_events(std::vector<SweepEvent>& events) { std::sort(events.begin(), events.end(), is_before); }
+void sort_events(std::vector<SweepEvent>& events) {
+    constexpr std::size_t worth_its_tables = 4096;
+    if (events.size() >= worth_its_tables)
+        radix_sort(events);
+    else
+        std::sort(events.begin(), events.end(), is_before);
+}
 
 void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell) {
     const auto [lower, upper] = range;
@@ -32,9 +76,19 @@ void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRan
     }
 }
 
-SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop)
-    : lists_{ListStack(sorted_events(ranges, 0, stop)), ListStack(sorted_events(ranges, 1, stop)),
-             ListStack(sorted_events(ranges, 2, stop))} {}
+SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop, int threads)
+    : SweepEvents(sorted_events(ranges, stop, threads)) {}
+
+SweepEvents::SweepEvents(std::array<std::vector<SweepEvent>, 3> root)
+    : lists_{ListStack(std::move(root[0])), ListStack(std::move(root[1])), ListStack(std::move(root[2]))} {}
+
+void SweepEvents::push(const std::array<std::vector<SweepEvent>, 3>& events) {
+    for (std::size_t axis = 0; axis < 3; ++axis) lists_[axis].push(events[axis]);
+}
+
+SweepEvents SweepEvents::take_top() {
+    return SweepEvents({lists_[0].take_top(), lists_[1].take_top(), lists_[2].take_top()});
+}
 
 void SweepEvents::divide(const Split& split, const std::vector<std::uint8_t>& sides) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -54,24 +108,19 @@ void SweepEvents::divide(const Split& split, const std::vector<std::uint8_t>& si
 
 void SweepEvents::divide_clipped(const Split& split, const std::vector<std::uint8_t>& sides, PartEvents& parts) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (auto& side : parts) sort_events(side[axis]);
         ListStack<SweepEvent>& list = lists_[axis];
-        for (auto& side : kept_) side[axis].clear();
-        for (const SweepEvent& event : list.top()) {
-            const unsigned side = sides[event.triangle()];
-            if (side == (side_below | side_above)) continue;
-            // What starts or ends in the plane now does so on a face of its cell.
-            if (int(axis) == split.axis && event.position == split.position && event.kind() != SweepEvent::planar)
-                continue;
-            kept_[side >> 1][axis].push_back(event);
+        if (int(axis) != split.axis) {
+            list.divide_and_merge([&](const SweepEvent& event) { return unsigned(sides[event.triangle()]); },
+                                  parts[0][axis], parts[1][axis], is_before);
+            continue;
         }
-        for (std::size_t side = 0; side < 2; ++side) {
-            std::vector<SweepEvent>& merged = merged_[side][axis];
-            sort_events(parts[side][axis]);
-            merged.resize(kept_[side][axis].size() + parts[side][axis].size());
-            std::merge(kept_[side][axis].begin(), kept_[side][axis].end(), parts[side][axis].begin(),
-                       parts[side][axis].end(), merged.begin(), is_before);
-        }
-        list.replace_by(merged_[1][axis], merged_[0][axis]);
+        // What starts or ends in the plane now does so on a face of its cell.
+        const auto side_of = [&](const SweepEvent& event) {
+            const bool on_face = event.position == split.position && event.kind() != SweepEvent::planar;
+            return on_face ? 0u : unsigned(sides[event.triangle()]);
+        };
+        list.divide_and_merge(side_of, parts[0][axis], parts[1][axis], is_before);
     }
 }
 

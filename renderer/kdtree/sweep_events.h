@@ -39,10 +39,16 @@ void sort_events(std::vector<SweepEvent>& events);
 /// those triangles as standing on that side from the outset.
 class SweepEvents {
   public:
-    /// Sorts; a stop request leaves the lists of the remaining axes empty.
-    SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop);
+    /// Sorts, on `threads` threads (0 = all); a stop request leaves the lists of the remaining axes empty.
+    SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop, int threads);
 
     [[nodiscard]] std::span<const SweepEvent> top(int axis) const { return lists_[std::size_t(axis)].top(); }
+
+    /// None yet.
+    SweepEvents() = default;
+
+    /// Another cell on top, with its events in order.
+    void push(const std::array<std::vector<SweepEvent>, 3>& events);
 
     /// `sides` as CellLists::divide() left it for the same split.
     void divide(const Split& split, const std::vector<std::uint8_t>& sides);
@@ -53,9 +59,13 @@ class SweepEvents {
 
     void drop();
 
+    /// Those of the top cell, which leave these.
+    [[nodiscard]] SweepEvents take_top();
+
   private:
+    explicit SweepEvents(std::array<std::vector<SweepEvent>, 3> root);
+
     std::array<ListStack<SweepEvent>, 3> lists_;
-    PartEvents kept_, merged_;  // room for one cell
 };
 
 }  // namespace kd

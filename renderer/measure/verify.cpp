@@ -158,7 +158,7 @@ class Verification {
         BuildConfig build = build_;
         build.builder = builder;
         BuildReport built;
-        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_);
+        const KdTree tree = build_tree(scene_.triangles, build, &built, {}, stop_, config_.threads);
         check_stop();
         for (const std::string& note : build_notes(built))
             report_.notes.push_back(fmt::format("{}: {}", builder, note));

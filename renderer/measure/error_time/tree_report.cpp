@@ -66,7 +66,7 @@ class TreeRun {
 
     KdTree build(const BuildConfig& config, BuildReport& report) {
         check(stop_);
-        KdTree tree = build_tree(task_.scene.triangles, config, &report, {}, stop_);
+        KdTree tree = build_tree(task_.scene.triangles, config, &report, {}, stop_, task_.threads);
         check(stop_);
         return tree;
     }

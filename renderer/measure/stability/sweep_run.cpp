@@ -55,7 +55,7 @@ struct Stage {
 
     Stage(SweepScene made, int threads, const std::stop_token& stop)
         : scene(flat_scene(made)), rays(std::move(made.rays)),
-          tree(build_tree(scene.triangles, made.build, nullptr, {}, stop)),
+          tree(build_tree(scene.triangles, made.build, nullptr, {}, stop, threads)),
           loop(brute_force(scene, rays, threads, stop)) {}
 };
 
