@@ -204,9 +204,9 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
     for (const Entry& entry : entries)
         for (const std::string& note : build_notes(entry.build))
             if (note != reference_cap_note) out << fmt::format("note: {}: {}\n", entry.builder, note);
-    out << fmt::format("GL memory is that of gl-fragment with {}, {} lists and a {}x{} picture.\n",
-                       info(session.trace.traversal).name, name_of(session.trace.leaf_lists), session.width,
-                       session.height);
+    out << fmt::format("GL memory is that of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
+                       info(session.trace.traversal).name, bytes_of(nodes_in_force(session.trace)),
+                       name_of(session.trace.leaf_lists), session.width, session.height);
     for (const Entry& entry : entries)
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }

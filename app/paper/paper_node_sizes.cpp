@@ -20,10 +20,12 @@ PaperNodeSizes compare_node_sizes(const PaperConfig& config, const std::string& 
         // Each has a tracer of its own: one for both would make the other's table before every frame.
         const std::shared_ptr<FrameTracer> own = make_frame_tracer(tracer, world.scene, world.tree, base.threads, gl);
         own->prepare(trace, base.width, base.height);
-        sizes.clock = own->clock();
         contestants.push_back({fmt::format("nodes of {} bytes", bytes_of(nodes)), [&, own, trace] {
                                    if (stop.stop_requested()) return TimeSample{};
-                                   return own->trace(trace, world.camera, base.width, base.height, stop).sample();
+                                   const FrameTime time =
+                                       own->trace(trace, world.camera, base.width, base.height, stop);
+                                   sizes.clock = own->clock();  // known once there was a frame
+                                   return time.sample();
                                }});
     }
     std::vector<TimedRounds> timed = time_in_turn(contestants, {.warmup = 2, .rounds = config.quick ? 9 : 15});

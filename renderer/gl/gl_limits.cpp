@@ -26,12 +26,13 @@ void check_number(std::string_view what, std::int64_t largest, std::string_view 
 
 /// That every number which stands in a node is held exactly by this encoding.
 void check_node_numbers(const UploadSizes& sizes, NodeEncoding nodes) {
-    if (nodes == NodeEncoding::packed)
-        return check_number("nodes", sizes.nodes, "nodes of 8 bytes", packed_number_limit,
-                            "use larger leaves or --tracer cpu");
     for (const auto& [what, largest] : {std::pair("nodes", sizes.nodes), {"leaf list entries", sizes.references}})
-        check_number(what, largest, "the tree's float4 texels", float_index_limit,
-                     "use --nodes 8, larger leaves or --tracer cpu");
+        if (nodes == NodeEncoding::float4)
+            check_number(what, largest, "the tree's float4 texels", float_index_limit,
+                         "use --nodes 8, larger leaves or --tracer cpu");
+        else
+            check_number(what, largest, "the links of nodes of 8 bytes", packed_link_limit,
+                         "use larger leaves or --tracer cpu");
 }
 
 }  // namespace

@@ -28,13 +28,13 @@ std::int32_t exact_integer(std::size_t node, const char* what, float number) {
     return std::int32_t(number);
 }
 
-std::uint32_t in_30_bits(std::size_t node, const char* what, std::int32_t number) {
-    if (number < 0 || number > packed_number_limit)
-        throw InputError(fmt::format("node {}: {} {} is not within 0 to {}, the most that 30 bits hold; use nodes of "
+std::uint32_t in_30_bits(std::size_t node, std::int32_t link) {
+    if (link < 0 || link > packed_link_limit)
+        throw InputError(fmt::format("node {}: link {} is not within 0 to {}, the most that 30 bits hold; use nodes of "
                                      "16 bytes, or build a smaller tree: a lower --max-depth or --reference-cap, or a "
                                      "larger --leaf-size",
-                                     node, what, number, packed_number_limit));
-    return std::uint32_t(number);
+                                     node, link, packed_link_limit));
+    return std::uint32_t(link);
 }
 
 /// `child` gets to know that it is one. Links lead upwards only, so no node is its own child.
@@ -90,13 +90,11 @@ std::vector<PackedNode> encode_packed(const KdTree& tree) {
     std::vector<PackedNode> packed(tree.nodes.size());
     for (std::size_t i = 0; i < packed.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
-        const std::uint32_t number =
-            node.is_leaf() ? in_30_bits(i, "count", node.count) : in_30_bits(i, "link", node.link);
         if (node.is_leaf())
-            packed[i].first = std::uint32_t(node.link);
+            packed[i].count = node.count;
         else
             packed[i].split = node.split;
-        packed[i].kind_and_number = std::uint32_t(node.flag) | number << 2;
+        packed[i].kind_and_link = std::uint32_t(node.flag) | in_30_bits(i, node.link) << 2;
     }
     return packed;
 }

@@ -1,5 +1,5 @@
 // The two encodings of the tree's nodes: the paper's texture, one RGBA32F texel per node (its section 2.3.1), and 8
-// bytes per node as in "Physically Based Rendering" (Pharr & Humphreys, 2004, section 4.4).
+// bytes per node after "Physically Based Rendering" (Pharr & Humphreys, 2004, section 4.4).
 #pragma once
 
 #include <vector>
@@ -17,32 +17,32 @@ namespace kd {
 /// Largest integer that a float texel addresses exactly.
 inline constexpr std::int64_t float_index_limit = std::int64_t(1) << 24;
 
-/// No parent, and the kind of node in two bits that link and count have to spare. As a texel: two words, in this order.
+/// No parent, and the kind of node in two bits that the link has to spare. The link stands in one place for both kinds,
+/// so that reading a node takes no choice. As a texel: two words, in this order.
 struct PackedNode {
     union {
-        float split;          // interior: plane position
-        std::uint32_t first;  // leaf: first entry in KdTree::references
+        float split;         // interior: plane position
+        std::int32_t count;  // leaf: number of references
     };
-    std::uint32_t kind_and_number;  // 2 bits: split axis or KD_LEAF; 30 bits: child above, or number of references
+    std::uint32_t kind_and_link;  // 2 bits: split axis or KD_LEAF; 30 bits: child above, or first reference
 
-    PackedNode() : first(0), kind_and_number(KD_LEAF) {}
+    PackedNode() : count(0), kind_and_link(KD_LEAF) {}
 };
 static_assert(sizeof(PackedNode) == 8);
 
-/// Nodes in the same order. InputError with the numbers where a link or a count is beyond packed_number_limit.
+/// Nodes in the same order. InputError with the numbers where a link is beyond packed_link_limit.
 [[nodiscard]] std::vector<PackedNode> encode_packed(const KdTree& tree);
 /// Parents are found again from the children. InputError where there is no node, or a child is none of the nodes.
 [[nodiscard]] KdTree decode_packed(const std::vector<PackedNode>& nodes, std::vector<std::int32_t> references,
                                    const Aabb& bounds);
 
-/// Largest number that 30 bits hold.
-inline constexpr std::int64_t packed_number_limit = (std::int64_t(1) << 30) - 1;
+/// Largest link that 30 bits hold.
+inline constexpr std::int64_t packed_link_limit = (std::int64_t(1) << 30) - 1;
 
 /// A node of either kind as walks read it; a packed one has no parent to tell.
 KD_FN KdNode node_as_read(const TreeNode& n) { return {n.flag, n.split, n.count, n.link, n.parent}; }
 KD_FN KdNode node_as_read(const PackedNode& n) {
-    const int flag = int(n.kind_and_number & 3), number = int(n.kind_and_number >> 2);
-    return {flag, n.split, number, flag == KD_LEAF ? int(n.first) : number, -1};
+    return {int(n.kind_and_link & 3), n.split, n.count, int(n.kind_and_link >> 2), -1};
 }
 
 }  // namespace kd

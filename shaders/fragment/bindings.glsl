@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform SceneUniforms { SceneBlock scene; };
 layout(std140, binding = 1) uniform FrameUniforms { FrameBlock frame; };
 
 #if KD_PACKED_NODES
-layout(binding = 0) uniform usamplerBuffer kd_nodes;          // split or first reference; kind, and link or count
+layout(binding = 0) uniform usamplerBuffer kd_nodes;          // two words: split or count; kind and link
 #else
 layout(binding = 0) uniform samplerBuffer kd_nodes;           // the paper's texels: flag, split or count, link, parent
 #endif

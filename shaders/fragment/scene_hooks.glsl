@@ -6,12 +6,11 @@
 KdNode fetch_node(int node)
 {
     uvec2 texel = texelFetch(kd_nodes, node).xy;
-    int number = int(texel.y >> 2u);
     KdNode n;
     n.flag = int(texel.y & 3u);
     n.split = uintBitsToFloat(texel.x);
-    n.count = n.flag == KD_LEAF ? number : 0;
-    n.link = n.flag == KD_LEAF ? int(texel.x) : number;
+    n.count = int(texel.x);
+    n.link = int(texel.y >> 2u);
     n.parent = -1;
     return n;
 }

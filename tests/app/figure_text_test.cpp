@@ -57,6 +57,10 @@ TEST(FigureText, CaptionNamesWhatDiffersFromTheDefault) {
     };
     EXPECT_NE(caption_of(facts).find(with("")), std::string::npos) << caption_of(facts);
     EXPECT_NE(caption_of(facts).find("max depth 9, bad refines 5, reference cap 12)"), std::string::npos);
+    facts.trace.nodes = NodeEncoding::packed;
+    EXPECT_NE(caption_of(facts).find("leaf lists of references, nodes of 8 bytes, no shadows"), std::string::npos)
+        << caption_of(facts);
+    facts.trace.nodes = NodeEncoding::float4;
     facts.build.builder = "binned";
     EXPECT_NE(caption_of(facts).find("leaf 2, 32 bins, max depth 9"), std::string::npos) << caption_of(facts);
     facts.tracer = TracerKind::gl_fragment;

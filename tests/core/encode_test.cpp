@@ -81,16 +81,17 @@ TEST(Decode, KeepsAnySplitForValidationToJudge) {
     EXPECT_EQ(tree.nodes[0].split, -1e30f);
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> words(const std::vector<PackedNode>& nodes) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    for (const PackedNode& node : nodes) found.emplace_back(node.first, node.kind_and_number);
+using Words = std::vector<std::pair<std::int32_t, std::uint32_t>>;
+
+Words words(const std::vector<PackedNode>& nodes) {
+    Words found;
+    for (const PackedNode& node : nodes) found.emplace_back(node.count, node.kind_and_link);
     return found;
 }
 
 TEST(EncodePacked, WordsOfTwoLeaves) {
-    // 0.5f is 0x3f000000; the root's axis is 0 and its upper child 2, each leaf has one reference.
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected{
-        {0x3f000000, 2 << 2 | 0}, {0, 1 << 2 | 3}, {1, 1 << 2 | 3}};
+    // 0.5f is 0x3f000000; the root's axis is 0 and its upper child 2; the leaves' lists begin at 0 and 1.
+    const Words expected{{0x3f000000, 2 << 2 | 0}, {1, 0 << 2 | 3}, {1, 1 << 2 | 3}};
     EXPECT_EQ(words(encode_packed(test::two_slab_tree())), expected);
 }
 
@@ -107,8 +108,8 @@ TEST(EncodePacked, RoundTripFindsTheParentsAgain) {
 
 TEST(EncodePacked, NumbersBeyondWhatFloatsHoldPass) {
     KdTree tree;
-    const auto last = std::int32_t(packed_number_limit);
-    tree.nodes[0] = test::leaf(std::numeric_limits<std::int32_t>::max(), last, -1);
+    const auto last = std::int32_t(packed_link_limit);
+    tree.nodes[0] = test::leaf(last, std::numeric_limits<std::int32_t>::max(), -1);
     EXPECT_EQ(decode_packed(encode_packed(tree), {}, {}), tree);
     tree.nodes[0] = test::interior(2, -1e30f, last, -1);
     EXPECT_EQ(words(encode_packed(tree))[0].second, 0xffff'fffeu) << "all bits of the link, and axis 2";
@@ -116,16 +117,15 @@ TEST(EncodePacked, NumbersBeyondWhatFloatsHoldPass) {
 
 TEST(EncodePacked, OneMoreIsRefusedWithItsNumber) {
     KdTree tree;
-    const auto beyond = std::int32_t(packed_number_limit + 1);
-    for (const auto& [node, what] :
-         {std::pair{test::leaf(0, beyond, -1), "count"}, std::pair{test::interior(0, 1.0f, beyond, -1), "link"}}) {
+    const auto beyond = std::int32_t(packed_link_limit + 1);
+    for (const TreeNode& node : {test::leaf(beyond, 0, -1), test::interior(0, 1.0f, beyond, -1)}) {
         tree.nodes[0] = node;
         const std::string message = refusal([&] { (void)encode_packed(tree); });
-        EXPECT_NE(message.find(std::string("node 0: ") + what + " 1073741824 "), std::string::npos) << message;
+        EXPECT_NE(message.find("node 0: link 1073741824 "), std::string::npos) << message;
         EXPECT_NE(message.find("1073741823"), std::string::npos) << message;
     }
-    tree.nodes[0] = test::leaf(0, -1, -1);
-    EXPECT_NE(refusal([&] { (void)encode_packed(tree); }).find("count -1"), std::string::npos);
+    tree.nodes[0] = test::leaf(-1, 0, -1);
+    EXPECT_NE(refusal([&] { (void)encode_packed(tree); }).find("link -1"), std::string::npos);
 }
 
 TEST(DecodePacked, RefusesNodesThatAreNoTree) {

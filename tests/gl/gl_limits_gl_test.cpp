@@ -55,7 +55,8 @@ TEST(GlLimits, RefuseNumbersThatFloatsCannotHold) {
     // Nodes of 8 bytes number more, but ropes are floats and backtrack needs parents.
     constexpr TraceConfig packed{.nodes = NodeEncoding::packed};
     constexpr std::int64_t most = (std::int64_t(1) << 30) - 1;
-    EXPECT_EQ(check({.nodes = most, .references = 2 * most}, packed), "accepted");
+    EXPECT_EQ(check({.nodes = most, .references = most}, packed), "accepted");
+    EXPECT_NE(check({.references = most + 1}, packed).find("1073741824 leaf list entries"), std::string::npos);
     EXPECT_NE(check({.nodes = most + 1}, packed).find("up to 1073741823"), std::string::npos);
     TraceConfig config = packed;
     config.traversal = Traversal::ropes;

@@ -72,7 +72,7 @@ TEST_P(NodeTexelsGl, NumbersUpToTheLimitOfFloatsComeBackExactly) {
 }
 
 TEST_P(NodeTexelsGl, NumbersUpToThirtyBitsComeBackExactlyFromNodesOfEightBytes) {
-    expect_numbers_back(*context, NodeEncoding::packed, packed_number_limit);
+    expect_numbers_back(*context, NodeEncoding::packed, packed_link_limit);
 }
 
 }  // namespace

@@ -95,18 +95,16 @@ void run_largest_numbers(CaseRun& run) {
         run_number(run, number, float_index_limit,
                    [](const KdTree& tree) { return decode_float4(encode_float4(tree), {}, {}); });
     for (const std::int32_t number : {(1 << 30) - 2, (1 << 30) - 1, 1 << 30})
-        run_number(run, number, packed_number_limit,
+        run_number(run, number, packed_link_limit,
                    [](const KdTree& tree) { return decode_packed(encode_packed(tree), {}, {}); });
     const GlLimits large{std::int64_t(1) << 40, 16384};
     for (const auto& [encoding, limit] :
-         {std::pair(NodeEncoding::float4, float_index_limit), {NodeEncoding::packed, packed_number_limit}}) {
+         {std::pair(NodeEncoding::float4, float_index_limit), {NodeEncoding::packed, packed_link_limit}}) {
         const auto check = [&, trace = TraceConfig{.nodes = encoding}](const UploadSizes& sizes) {
             return refusal([&] { check_config(sizes, trace, large); });
         };
         const bool nodes = check({.nodes = limit}).empty() && !check({.nodes = limit + 1}).empty();
-        // Where a leaf's list begins stands in 32 bits of a packed node.
-        const bool past = check({.references = limit + 1}).empty() == (encoding == NodeEncoding::packed);
-        const bool lists = check({.references = limit}).empty() && past;
+        const bool lists = check({.references = limit}).empty() && !check({.references = limit + 1}).empty();
         run.record("upload", 2, int(!nodes) + int(!lists));
     }
     // Addresses of triangles are integers: three texels each, up to what the context holds.
