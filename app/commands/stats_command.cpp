@@ -1,24 +1,18 @@
-// stats: facts about a scene's kd-tree, one column per builder.
+// stats: tables about a scene's kd-tree and what rays do in it, one of several at a time.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
-#include <ostream>
 
 #include "app/cli/idle_options.h"
-#include "app/cli/progress_line.h"
-#include "app/cli/text_table.h"
 #include "app/commands/commands.h"
 #include "app/commands/stats_bonus.h"
 #include "app/commands/stats_divergence.h"
 #include "app/commands/stats_predicted.h"
 #include "app/commands/stats_traversals.h"
-#include "app/report/json_values.h"
-#include "app/report/machine_info.h"
-#include "app/scenes.h"
-#include "renderer/cpu/cpu_tracer.h"
-#include "renderer/gl/gl_tracer.h"
-#include "renderer/measure/ray_count.h"
+#include "app/commands/stats_trees.h"
+#include "renderer/geometry/input_error.h"
 
 namespace kd {
 
@@ -27,277 +21,72 @@ namespace {
 struct StatsOptions : CommonOptions {
     bool every_builder = false;
     bool every_traversal = false;
-    bool predicted = false;
     bool bonuses = false;
+    bool predicted = false;
     bool json = false;
     DivergenceOptions divergence;
 };
 
-/// One tree of one scene.
-struct Entry {
-    std::string builder;
-    TreeStats stats;
-    BuildReport build;
-    std::array<CounterTotals, pass_count> visits;  // of the rays that the session's picture takes, by the CPU
-    std::optional<GlMemory> gl;
-    std::string gl_refused;  // why there is no `gl`
-};
+enum class Table { trees, bonus, traversals, predicted, divergence, ballot };
 
-/// A context for measuring what the tracer's textures take; stats can do without.
-struct GlProbe {
-    explicit GlProbe(ContextKind kind) {
-        try {
-            context = Context::create(kind);
-            tracer = std::make_unique<GlTracer>(*context);
-        } catch (const std::runtime_error& error) {
-            refused = error.what();
-        }
+/// The one asked for by an option of its own; InputError where there are two.
+Table table_of(const StatsOptions& options) {
+    struct Wish {
+        const char* option;
+        bool asked;
+        Table table;
+    };
+    const Wish wishes[] = {{"--bonus", options.bonuses, Table::bonus},
+                           {"--traversals", options.every_traversal, Table::traversals},
+                           {"--predicted", options.predicted, Table::predicted},
+                           {"--divergence", options.divergence.divergence, Table::divergence},
+                           {"--ballot", options.divergence.ballot, Table::ballot}};
+    const Wish* chosen = nullptr;
+    for (const Wish& wish : wishes) {
+        if (!wish.asked) continue;
+        if (chosen)
+            throw InputError(
+                fmt::format("{}: cannot be given with {}; ask for one of them", wish.option, chosen->option));
+        chosen = &wish;
     }
-
-    void measure(const FlatScene& scene, const KdTree& tree, const Session& session, Entry& entry) {
-        entry.gl_refused = refused;
-        if (!tracer) return;
-        try {
-            tracer->upload(scene, tree);
-            tracer->prepare({.trace = session.trace}, session.width, session.height);
-            entry.gl = tracer->memory();
-        } catch (const std::runtime_error& error) {
-            entry.gl_refused = error.what();
-        }
-    }
-
-    std::unique_ptr<Context> context;
-    std::unique_ptr<GlTracer> tracer;
-    std::string refused;
-};
-
-std::string bytes_text(std::int64_t bytes) {
-    if (bytes < 10'000) return fmt::format("{} B", bytes);
-    if (bytes < 10'000'000) return fmt::format("{:.1f} kB", double(bytes) * 1e-3);
-    return fmt::format("{:.1f} MB", double(bytes) * 1e-6);
+    return chosen ? chosen->table : Table::trees;
 }
 
-std::int64_t total(const GlMemory& m) {
-    return m.nodes + m.boxes + m.references + m.triangles + m.attributes + m.textures + m.targets;
-}
-
-struct Quantity {
-    const char* title;
-    std::string (*text)(const Entry&);
-};
-
-/// Shares of the leaves in percent, by triangles: the edges of these classes.
-constexpr std::array<int, 6> leaf_classes{0, 1, 2, 4, 8, std::numeric_limits<int>::max()};
-constexpr const char* leaf_classes_title = "leaves of 0/1/2/3-4/5-8/9+, %";
-
-std::string leaf_shares_text(const Entry& e) {
-    std::string text;
-    std::size_t size = 0;
-    for (const int last : leaf_classes) {
-        std::int64_t leaves = 0;
-        for (; size < e.stats.leaf_sizes.size() && int(size) <= last; ++size) leaves += e.stats.leaf_sizes[size];
-        text += fmt::format("{}{:.0f}", text.empty() ? "" : "/", 100.0 * double(leaves) / double(e.stats.leaves));
-    }
-    return text;
-}
-
-std::string phases_text(const Entry& e) {
-    const BuildPhases& p = e.build.phases;
-    return fmt::format("{:.0f}/{:.0f}/{:.0f}/{:.0f}", 1e3 * p.prepare, 1e3 * p.choose, 1e3 * p.divide, 1e3 * p.leaves);
-}
-
-template <Pass rays>
-std::string visits_text(const Entry& e) {
-    const CounterTotals& t = e.visits[std::size_t(rays)];
-    if (t.rays == 0) return "-";
-    const auto mean = [&](std::uint64_t sum) { return double(sum) / double(t.rays); };
-    return fmt::format("{:.1f}/{:.1f}/{:.1f}", mean(t.interior_first + t.interior_again), mean(t.leaves),
-                       mean(t.triangle_tests));
-}
-
-std::string gl_text(const Entry& e, std::int64_t GlMemory::*part) { return e.gl ? bytes_text((*e.gl).*part) : "-"; }
-
-std::string share_text(std::int64_t part, std::int64_t whole) {
-    return fmt::format("{} ({:.0f} %)", part, whole > 0 ? 100.0 * double(part) / double(whole) : 0.0);
-}
-
-constexpr Quantity quantities[] = {
-    {"nodes", [](const Entry& e) { return fmt::format("{}", e.stats.nodes); }},
-    {"interior nodes", [](const Entry& e) { return fmt::format("{}", e.stats.interior); }},
-    {"leaves", [](const Entry& e) { return fmt::format("{}", e.stats.leaves); }},
-    {"empty leaves", [](const Entry& e) { return share_text(e.stats.empty_leaves, e.stats.leaves); }},
-    {leaf_classes_title, leaf_shares_text},
-    {"largest leaf, triangles", [](const Entry& e) { return fmt::format("{}", e.stats.largest_leaf); }},
-    {"deepest leaf, levels", [](const Entry& e) { return fmt::format("{}", e.stats.deepest); }},
-    {"mean leaf depth, levels", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.mean_leaf_depth); }},
-    {"references", [](const Entry& e) { return fmt::format("{}", e.stats.references); }},
-    {"references per triangle", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.references_per_triangle); }},
-    {"SAH cost, traversal steps", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.sah_cost); }},
-    {"expected interior visits",
-     [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_interior_visits); }},
-    {"expected leaf visits", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_leaf_visits); }},
-    {"expected triangle tests", [](const Entry& e) { return fmt::format("{:.2f}", e.stats.expected_triangle_tests); }},
-    {"visits: primary rays", visits_text<Pass::rt_prim>},
-    {"visits: shadow rays", visits_text<Pass::shade_prim>},
-    {"visits: reflection rays", visits_text<Pass::rt_refl>},
-    {"visits: reflection-shadow rays", visits_text<Pass::shade_refl>},
-    {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", 1e3 * e.build.seconds); }},
-    {"sort/choose/divide/leaves, ms", phases_text},
-    {"limits hit",
-     [](const Entry& e) {
-         const std::string depth = e.build.depth_limit_hit ? "depth" : "";
-         const std::string cap = e.build.reference_cap_hit ? "references" : "";
-         return depth.empty() && cap.empty() ? "none" : depth + (depth.empty() || cap.empty() ? "" : ", ") + cap;
-     }},
-    {"memory: nodes of 16 bytes", [](const Entry& e) { return bytes_text(e.stats.node_bytes); }},
-    {"memory: nodes of 8 bytes", [](const Entry& e) { return bytes_text(e.stats.packed_node_bytes); }},
-    {"memory: lists of references", [](const Entry& e) { return bytes_text(e.stats.reference_list_bytes); }},
-    {"memory: lists of copies", [](const Entry& e) { return bytes_text(e.stats.duplicated_list_bytes); }},
-    {"GL: nodes", [](const Entry& e) { return gl_text(e, &GlMemory::nodes); }},
-    {"GL: node boxes", [](const Entry& e) { return gl_text(e, &GlMemory::boxes); }},
-    {"GL: references", [](const Entry& e) { return gl_text(e, &GlMemory::references); }},
-    {"GL: triangles", [](const Entry& e) { return gl_text(e, &GlMemory::triangles); }},
-    {"GL: normals, uv, materials", [](const Entry& e) { return gl_text(e, &GlMemory::attributes); }},
-    {"GL: images", [](const Entry& e) { return gl_text(e, &GlMemory::textures); }},
-    {"GL: targets", [](const Entry& e) { return gl_text(e, &GlMemory::targets); }},
-    {"GL: all", [](const Entry& e) { return e.gl ? bytes_text(total(*e.gl)) : "-"; }},
-};
-
-Json json_of(const Entry& e) {
-    Json visits = Json::object();
-    for (std::size_t rays = 0; rays < pass_count; ++rays) visits[option_name(Pass(rays))] = kd::json_of(e.visits[rays]);
-    Json json{{"builder", e.builder},
-              {"build_ms", 1e3 * e.build.seconds},
-              {"build_phases", kd::json_of(e.build.phases)},
-              {"idle_hand_splits", e.build.idle_hand_splits},
-              {"visits", visits},
-              {"depth_limit_hit", e.build.depth_limit_hit},
-              {"reference_cap_hit", e.build.reference_cap_hit},
-              {"tree", kd::json_of(e.stats)}};
-    if (e.gl)
-        json["gl_bytes"] = {{"nodes", e.gl->nodes},           {"boxes", e.gl->boxes},
-                            {"references", e.gl->references}, {"triangles", e.gl->triangles},
-                            {"attributes", e.gl->attributes}, {"textures", e.gl->textures},
-                            {"targets", e.gl->targets},       {"all", total(*e.gl)}};
-    else
-        json["gl_bytes"] = nullptr;
-    return json;
-}
-
-void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
-    out << fmt::format("{}: {}\n", session.scene, contents_text(scene));
-    for (const std::string& note : scene.notes) out << "note: " << note << '\n';
-    std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
-    for (const Entry& entry : entries) columns.push_back({entry.builder});
-    TextTable table(columns);
-    for (const Quantity& quantity : quantities) {
-        std::vector<std::string> cells{quantity.title};
-        for (const Entry& entry : entries) cells.push_back(quantity.text(entry));
-        table.add_row(cells);
-    }
-    table.print(out);
-    out << fmt::format(
-        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests "
-        "per ray,\ncounted on the CPU in a {}x{} picture with {}. Phases of the build: added over "
-        "threads.\n",
-        session.width, session.height, info(session.trace.traversal).name);
-    for (const Entry& entry : entries)
-        for (const std::string& note : build_notes(entry.build))
-            if (note != reference_cap_note) out << fmt::format("note: {}: {}\n", entry.builder, note);
-    out << fmt::format("GL memory is that of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
-                       info(session.trace.traversal).name, bytes_of(nodes_in_force(session.trace)),
-                       name_of(session.trace.leaf_lists), session.width, session.height);
-    for (const Entry& entry : entries)
-        if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
-}
-
-/// What the tables about rays do not read, and what only they do.
-void check_uses(const CLI::App& app, bool divergence, bool ballot, bool traversals, bool predicted) {
-    const std::string alone = "cannot be given with --divergence; ask for one of them";
-    const std::string no_trees = "--divergence, --ballot and --traversals walk one tree; leave one of them out";
+/// What a table does not read, and what only some do.
+void check_uses(const CLI::App& app, Table table, bool every_builder) {
+    const auto one_of = [&](std::initializer_list<Table> tables) { return std::ranges::count(tables, table) > 0; };
+    const bool walks = one_of({Table::traversals, Table::predicted, Table::divergence, Table::ballot});
     const std::string no_walks =
-        "the tables about the tree walk no rays; add --divergence, --ballot, --traversals or --predicted";
-    const bool walks = divergence || ballot || traversals || predicted;
-    refuse_idle(app,
-                {{"--ballot", !divergence, alone},
-                 {"--traversals", !divergence && !ballot, "cannot be given with --divergence or --ballot"},
-                 {"--predicted", !divergence && !ballot && !traversals,
-                  "cannot be given with --divergence, --ballot or --traversals"},
-                 {"--traversal", !traversals, "--traversals shows all of them; leave one of them out"},
-                 {"--builders", !walks || predicted, no_trees},
-                 {"--rays", walks, no_walks},
-                 {"--csv", walks, no_walks},
-                 {"--svg", divergence || predicted, "only --divergence and --predicted have charts to draw; add one"},
-                 {"--maps", ballot, "only --ballot measures them; add it"},
-                 {"--tile", divergence, "only --divergence has groups to choose; add it"}});
-    for (const char* shown : {"--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
-        refuse_idle(app, {{shown, !traversals, "--traversals shows them with and without; leave one of them out"}});
+        "this table is about all rays; add --divergence, --ballot, --traversals or --predicted";
+    const std::string several = "shows several; leave one of them out";
+    refuse_idle(
+        app, {{"--builders", one_of({Table::trees, Table::predicted}), "this table is about one tree; leave one out"},
+              {"--builder", !every_builder, "--builders " + several},
+              {"--empty-bonus", table != Table::bonus, "--bonus " + several},
+              {"--rays", walks, no_walks},
+              {"--csv", walks, no_walks},
+              {"--svg", one_of({Table::divergence, Table::predicted}),
+               "only --divergence and --predicted have charts to draw; add one of them"},
+              {"--maps", table == Table::ballot, "only --ballot measures them; add it"},
+              {"--tile", table == Table::divergence, "only --divergence has groups to choose; add it"}});
+    for (const char* walk : {"--traversal", "--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
+        refuse_idle(app, {{walk, table != Table::traversals, "--traversals " + several}});
 }
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
-    const bool divergence = options.divergence.divergence, ballot = options.divergence.ballot;
-    check_uses(app, divergence, ballot, options.every_traversal, options.predicted);
-    refuse_idle(
-        app,
-        {{"--bonus", !divergence && !ballot && !options.every_traversal && !options.every_builder && !options.predicted,
-          "cannot be given with another table; ask for one of them"},
-         {"--empty-bonus", !options.bonuses, "--bonus shows several; leave one of them out"},
-         {"--builder", !options.every_builder, "--builders shows all of them; leave one of them out"}});
-    if (options.bonuses) return run_bonuses(options, options.json, context);
-    if (options.predicted)
-        return run_predicted(options, options.divergence, options.every_builder, options.json, context);
-    if (ballot) return run_ballots(options, options.divergence, options.json, context);
-    if (options.every_traversal) return run_traversals(options, options.divergence, options.json, context);
-    if (divergence) return run_divergence(options, options.divergence, options.json, context);
-    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
-    GlProbe probe(options.context.value_or(ContextKind::automatic));
-    if (!probe.context && options.context) throw ContextError(probe.refused);
-    ProgressLine progress(context);
-    Json json = Json::array();
-    for (const std::string& name : options.scenes) {
-        Session session = options.session_for(name);
-        const FlatScene scene = open_scene(options, session);
-        std::vector<std::string> names{session.build.builder};
-        if (options.every_builder) {
-            names.clear();
-            for (const Builder& builder : builders()) names.emplace_back(builder.name);
-        }
-        check_frame_memory(session.width, session.height);
-        const PinholeCamera camera = pinhole(scene.camera, session.width, session.height);
-        RayCounts rays{};
-        std::vector<Entry> entries;
-        for (const std::string& builder : names) {
-            session.build.builder = builder;
-            Entry entry{builder, {}, {}, {}, {}, {}};
-            const auto show = [&](float done) { progress.show(done, name + ": " + builder); };
-            const KdTree tree =
-                build_tree(scene.triangles, session.build, &entry.build, show, context.stop, session.threads);
-            check_stop(context);
-            entry.stats = tree_stats(tree, scene.triangles.size(), session.build);
-            // The same rays for every tree.
-            if (entries.empty())
-                rays = count_rays(scene, tree, session.trace, camera, session.width, session.height, context.stop);
-            Frame frame(session.width, session.height);
-            CpuTracer(scene, tree).trace_frame(session.trace, camera, frame, session.threads, context.stop);
-            check_stop(context);
-            entry.visits = pass_totals(frame, rays);
-            probe.measure(scene, tree, session, entry);
-            entries.push_back(std::move(entry));
-        }
-        if (!options.json) {
-            if (name != options.scenes.front()) context.out << '\n';
-            print(context.out, session, scene, entries);
-            continue;
-        }
-        Json trees = Json::array();
-        for (const Entry& entry : entries) trees.push_back(json_of(entry));
-        json.push_back({{"settings", kd::json_of(session)},
-                        {"scene", kd::json_of(scene)},
-                        {"trees", trees},
-                        {"measured_on", kd::json_of(measured_on(session.threads, session.seed))}});
+    const Table table = table_of(options);
+    check_uses(app, table, options.every_builder);
+    switch (table) {
+        case Table::bonus: return run_bonuses(options, options.json, context);
+        case Table::traversals: return run_traversals(options, options.divergence, options.json, context);
+        case Table::predicted:
+            return run_predicted(options, options.divergence, options.every_builder, options.json, context);
+        case Table::divergence: return run_divergence(options, options.divergence, options.json, context);
+        case Table::ballot: return run_ballots(options, options.divergence, options.json, context);
+        case Table::trees: break;
     }
-    if (options.json) context.out << json_text(json);
-    return exit_ok;
+    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
+    return run_trees(options, options.every_builder, options.json, context);
 }
 
 CommandBody declare(CLI::App& app) {

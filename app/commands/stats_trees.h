@@ -1,0 +1,12 @@
+// What `stats` does where no other table is asked for.
+#pragma once
+
+#include "app/cli/command.h"
+#include "app/cli/common_options.h"
+
+namespace kd {
+
+/// Facts about each scene's tree, what its build took, and what the picture's rays visit: one column per builder.
+int run_trees(const CommonOptions& options, bool every_builder, bool as_json, CommandContext& context);
+
+}  // namespace kd
