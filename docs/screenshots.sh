@@ -148,6 +148,31 @@ small_error() {
     shoot error-time
     stop_window
 }
+small_splits() {
+    open ball:9000
+    press_all shift+s
+    click_on "SPLITS/root"
+    wait_for '^splits.costs.triangles='
+    drag_slider "SPLITS/across x" 0.6 0.5
+    wait_for '^splits.without.interior='
+    wait_for '^splits.now.interior='
+    hover 600 20
+    shoot splits-explorer
+    stop_window
+}
+small_nodes() {
+    open ball:9000
+    press_all i
+    hover 330 200
+    press p
+    wait_for '^selected.leaf=true$'
+    choose "NODES/colours" visits
+    wait_for '^nodes.coloured=true$' 120
+    click_on "NODES/hit"
+    hover 600 20
+    shoot nodes
+    stop_window
+}
 small_oracle() {
     open rooms --rules as-published
     click_on "top/Oracle"
@@ -216,7 +241,7 @@ panels_of_time() {
 }
 
 if [[ $SCREEN == 1280x720 ]]; then
-    all="small_tour small_stability small_needs small_paper small_divergence small_error small_oracle"
+    all="small_tour small_stability small_needs small_paper small_divergence small_error small_splits small_nodes small_oracle"
 else
     all="panels_of_scene panels_of_tree panels_of_time"
 fi

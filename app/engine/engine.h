@@ -148,9 +148,11 @@ class Engine {
     std::optional<Camera> camera_before_load_;           // of the scene that a refused one gives way to
     std::vector<HandSplit> planes_before_load_;          // of the same
     std::shared_ptr<const LoadedScene> building_scene_;  // of the build that runs
-    bool build_waits_ = false;                           // for that one, whose result is soon there
-    std::optional<OpenedSession> opened_;                // whose scene is being loaded
-    TracedFrame traced_;                                 // newest frame
+    std::uint64_t building_generation_ = 0;              // that it answers
+    std::uint64_t meantime_generation_ = 0;  // that a tree answers which is shown until the newest is built; else 0
+    bool build_waits_ = false;               // for that one, whose result is soon there
+    std::optional<OpenedSession> opened_;    // whose scene is being loaded
+    TracedFrame traced_;                     // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
     std::optional<int> step_;
     std::optional<std::string> selected_path_;

@@ -1,4 +1,5 @@
-// What the engine measures while nobody works with it: CPU against GPU, and efficiency against width.
+// What the engine measures while nobody works with it: CPU against GPU, efficiency against width, visits of
+// nodes.
 #include <algorithm>
 #include <utility>
 

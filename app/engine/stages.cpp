@@ -106,6 +106,7 @@ void Engine::start_build() {
     build_waits_ = state_.building.active && building_scene_ == scene_ && state_.last_build_ms < longest_finished_ms;
     if (build_waits_) return;
     building_scene_ = scene_;
+    building_generation_ = state_.generation;
     state_.building = {true, 0};
     build_fraction_ = 0;
     builder_.submit([this, config, loaded = scene_, threads = state_.session.threads](const std::stop_token& stop) {
@@ -146,6 +147,7 @@ void Engine::finish_build(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
     for (const std::string& note : build_notes(state_.world->report)) say(false, "tree: " + note);
+    meantime_generation_ = 0;
     trace_generation_ = ++state_.generation;
     start_trace();
 }
@@ -154,6 +156,7 @@ void Engine::finish_build(std::shared_ptr<const World> world) {
 void Engine::finish_meantime(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    meantime_generation_ = building_generation_;
     start_trace();
     start_build();
 }
@@ -171,11 +174,11 @@ void Engine::cancel_build() {
 
 TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
-    // A frame of a tree that is about to be replaced is shown, but answers nothing.
+    // A frame of a tree that is about to be replaced is shown, but answers nothing, or what was asked for before.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
     return {state_.world,    s.trace,   s.tracer,
             camera_in_use(), s.width,   s.height,
-            s.threads,       s.early_z, current ? state_.generation : 0};
+            s.threads,       s.early_z, current ? state_.generation : meantime_generation_};
 }
 
 void Engine::start_trace() {

@@ -1,40 +1,24 @@
 #include "app/engine/tree_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "renderer/kdtree/hand_split.h"
+#include "viz/cell_colours.h"
 
 namespace kd {
 
 namespace {
 
-constexpr float widest_ratio = 8;  // colours of counted over predicted end at eight times more and less
-
-/// The number that each node's colour stands for; NaN = none.
-std::vector<float> values_of(const KdTree& tree, CellColour colour, const NodeVisits* counted) {
-    std::vector<float> values(tree.nodes.size(), NAN);
-    if (colour == CellColour::depth) {
-        std::ranges::copy(node_depths(tree), values.begin());
-        return values;
-    }
-    if (!counted || counted->count.size() != values.size()) return {};
-    const std::vector<double> predicted = counted->predicted(tree);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double visits = double(counted->count[i]);
-        if (colour == CellColour::visits) values[i] = float(visits);
-        if (colour == CellColour::predicted) values[i] = float(predicted[i]);
-        if (colour == CellColour::ratio && predicted[i] > 0) values[i] = float(visits / predicted[i]);
-    }
-    return values;
-}
-
-ValueRange range_of(const std::vector<float>& values, CellColour colour) {
-    if (colour == CellColour::ratio) return {1 / widest_ratio, widest_ratio};
-    float most = 1;
-    for (const float value : values) most = std::max(most, value);  // NaN is never larger
-    return {colour == CellColour::depth ? 0.0f : 1.0f, std::max(most, 2.0f)};
+/// By depth, from the root to the deepest node.
+NodeColours colours_by_depth(const KdTree& tree, const std::string& colormap) {
+    const std::vector<int> depths = node_depths(tree);
+    const int deepest = std::max(1, *std::ranges::max_element(depths));
+    const Colormap& map = get_colormap(colormap);
+    NodeColours colours{{}, {0, float(deepest)}, colormap};
+    colours.of.reserve(depths.size());
+    for (const int depth : depths) colours.of.push_back(map(float(depth) / float(deepest)));
+    return colours;
 }
 
 std::vector<int> cells_of_nodes(const KdTree& tree, const std::vector<IcicleCell>& icicle) {
@@ -50,34 +34,27 @@ std::vector<int> cells_of_nodes(const KdTree& tree, const std::vector<IcicleCell
 
 NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
                          const NodeVisits* counted) {
-    const std::vector<float> values = values_of(tree, colour, counted);
-    NodeColours colours{range_of(values, colour), colour != CellColour::depth, colormap, {}};
-    if (colour == CellColour::ratio) colours.colormap = std::ranges::find_if(colormaps(), &Colormap::diverging)->name;
-    const Colormap& map = get_colormap(colours.colormap);
-    colours.of.reserve(values.size());
-    for (const float value : values)
-        colours.of.push_back(std::isnan(value) ? untraced_colour
-                                               : map(map_position(value, colours.range, colours.logarithmic)));
-    return colours;
+    if (colour == CellColour::depth) return colours_by_depth(tree, colormap);
+    if (needs_visits(colour) && !counted) return {};
+    CellColours made = cell_colours(tree, colour, max_tree_depth, colormap, counted);
+    return {std::move(made.of_node), made.scale.summary.range, made.scale.heat.colormap};
 }
 
 void TreeViewBench::follow(const TreeViewWish& wish, const std::shared_ptr<const World>& world,
                            const std::shared_ptr<const NodeVisits>& visits) {
-    const bool counted = wish.colour != CellColour::depth;
-    const std::shared_ptr<const NodeVisits> wanted = counted ? visits : nullptr;
-    if (wish == wish_ && world_.lock() == world && visits_.lock() == wanted) return;
+    if (wish == wish_ && world_.lock() == world && visits_.lock() == visits) return;
     wish_ = wish;
     world_ = world;
-    visits_ = wanted;
+    visits_ = visits;
     state_.active = world && wish.columns > 0;
     if (!state_.active) return run_.cancel();
     state_.error.clear();
-    const auto job = [this, wish, world, wanted](const std::stop_token& stop, const BackgroundRun::Post& post) {
+    const auto job = [this, wish, world, visits](const std::stop_token& stop, const BackgroundRun::Post& post) {
         const KdTree& tree = world->tree;
         TreeView made;
         made.of = wish;
         made.world = world;
-        made.visits = wanted;
+        made.visits = visits;
         made.root = node_at(tree, wish.root).value_or(0);
         made.icicle = icicle(tree, wish.width, 1.0 / wish.columns, made.root);
         made.cell_of = cells_of_nodes(tree, made.icicle);
@@ -86,8 +63,8 @@ void TreeViewBench::follow(const TreeViewWish& wish, const std::shared_ptr<const
         made.slice = slice_cells(tree, wish.slice, max_tree_depth);
         made.segments = slice_triangles(world->scene().triangles, wish.slice);
         if (stop.stop_requested()) return;
-        made.colours = colour_nodes(tree, wish.colour, wish.colormap, wanted.get());
-        if (wanted) made.predicted = wanted->predicted(tree);
+        made.colours = colour_nodes(tree, wish.colour, wish.colormap, visits.get());
+        if (visits) made.predicted = visits->predicted(tree);
         post([this, made = std::make_shared<const TreeView>(std::move(made))] { state_.view = made; });
     };
     run_.start("the views of the tree", job, [this](const std::string& error) {

@@ -27,22 +27,21 @@ struct TreeViewWish {
     bool operator==(const TreeViewWish&) const = default;
 };
 
-/// What the colours of nodes say. Ratios are on a logarithmic scale around 1, counts on one of their own.
+/// What the colours of nodes say.
 struct NodeColours {
-    ValueRange range;
-    bool logarithmic = false;
-    std::string colormap;
     std::vector<Rgba8> of;  // by node; empty where nobody has counted yet
+    ValueRange range;       // values at the two ends of the colours
+    std::string colormap;
 };
 
-/// `counted` may be null where `colour` is the depth.
+/// `counted` may be null: colours that need it are none then.
 [[nodiscard]] NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
                                        const NodeVisits* counted);
 
 struct TreeView {
     TreeViewWish of;
     std::shared_ptr<const World> world;
-    std::shared_ptr<const NodeVisits> visits;  // null where the colours need none
+    std::shared_ptr<const NodeVisits> visits;  // null until they are counted
     int root = 0;
     std::vector<IcicleCell> icicle;
     int rows = 1;              // of the icicle

@@ -10,6 +10,7 @@
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/scene/units.h"
+#include "viz/cell_colours.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -21,15 +22,6 @@ const std::vector<widgets::Option>& width_options() {
         {"leaves", "A node is as wide as it has leaves beneath it."},
         {"references", "As wide as the leaf lists beneath it are long: where the triangles are."},
         {"surface area", "Children share the width by the surface of their cells: where random lines go."}};
-    return options;
-}
-
-const std::vector<widgets::Option>& colour_options() {
-    static const std::vector<widgets::Option> options{
-        {"depth", "Splits above the node."},
-        {"visits", "How often the rays of this picture came by, counted."},
-        {"predicted", "How often they should, by the surface of the cell: the surface area heuristic's assumption."},
-        {"ratio", "Visits counted over visits predicted, on a scale from an eighth to eight times."}};
     return options;
 }
 
@@ -50,9 +42,7 @@ void choose_one(const char* label, Choice& chosen, const std::vector<widgets::Op
 void draw_scale(const NodeColours& colours, CellColour colour) {
     const Colormap* map = find_colormap(colours.colormap);
     if (!map) return;
-    const bool ratio = colour == CellColour::ratio;
-    const std::string low = ratio ? "1/8" : number_text(double(colours.range.min));
-    const std::string high = ratio ? "8 ×" : number_text(double(colours.range.max));
+    const std::string low = number_text(double(colours.range.min)), high = number_text(double(colours.range.max));
     const float width = theme::px(72), height = ImGui::GetTextLineHeight() - theme::px(4);
     ImGui::TextUnformatted(low.c_str());
     ImGui::SameLine(0, theme::px(4));
@@ -66,9 +56,7 @@ void draw_scale(const NodeColours& colours, CellColour colour) {
     }
     ImGui::Dummy({width, ImGui::GetTextLineHeight()});
     Places::note("scale");
-    widgets::hint(colour == CellColour::depth ? "Splits above the node."
-                  : ratio                     ? "Counted over predicted. Grey: as often as predicted."
-                          : "Visits, on a logarithmic scale. Nodes that no ray came by are below it.");
+    widgets::hint(all_cell_colours()[std::size_t(colour)].summary);
     ImGui::SameLine(0, theme::px(4));
     ImGui::TextUnformatted(high.c_str());
 }
@@ -77,8 +65,8 @@ void draw_icicle_controls(const EngineState& state, Edit& edit) {
     NodesView& view = edit.window.nodes;
     choose_one("width", view.width, width_options(), "What the width of a node stands for.", theme::px(104));
     ImGui::SameLine(0, theme::px(10));
-    choose_one("colours", view.colour, colour_options(), "What the colour of a node says, in the colours of VIEW.",
-               theme::px(92));
+    choose_one("colours", view.colour, widgets::options_of(all_cell_colours()),
+               "What the colour of a node says, in the colours of VIEW.", theme::px(92));
     ImGui::SameLine(0, theme::px(10));
     const bool zoomed = !view.root.empty();
     if (widgets::button("up", "The parent of the part shown takes the whole width. Wheel down.", zoomed, 0))
@@ -89,7 +77,7 @@ void draw_icicle_controls(const EngineState& state, Edit& edit) {
     const TreeView* made = state.tree_view.view.get();
     if (made && !made->colours.of.empty())
         draw_scale(made->colours, made->of.colour);
-    else if (view.colour != CellColour::depth)
+    else if (needs_visits(view.colour))
         widgets::note(!state.visits.error.empty() ? state.visits.error
                       : state.visits.active       ? fmt::format("counting {:.0f} %", 100 * state.visits.fraction)
                                                   : "visits are counted when nobody works");

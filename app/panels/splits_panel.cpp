@@ -1,8 +1,8 @@
 // SPLITS: one node and its plane: what every other plane would cost, and what another one does to the picture's walks.
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
+#include "app/panels/effect_rows.h"
 #include "app/panels/panel.h"
 #include "app/window/cost_chart.h"
 #include "app/window/places.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* none = "–";
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// "root, below, above" or, for long paths, "root, … 9 steps, above".
+/// "root, below, above" or, of a long path, "root, 12 steps, above".
 std::string path_text(const std::string& path) {
     const auto word = [](char step) { return step == path_below ? "below" : "above"; };
     constexpr std::size_t most = 2;
@@ -186,100 +186,9 @@ void draw_charts(const EngineState& state, Edit& edit) {
         const CostAnswer answer =
             draw_cost_chart(chart, {width + (axis == 0 ? numbers : 0), std::max(theme::px(60), space.y)});
         if (answer.taken) taken = answer.taken;
-        if (!answer.position) continue;
-        if (const auto kept = edits::inside(costs->cell, axis, *answer.position))
-            edits::put_plane(edit, {path, axis, *kept}, answer.begins);
+        if (answer.position) edits::put_plane(edit, {path, axis, *answer.position}, answer.begins);
     }
     if (taken && taken->split) edits::put_plane(edit, {path, taken->split->axis, taken->split->position}, true);
-}
-
-/// One line of the comparison: what it is, with the planes, without them, and by how much it changed.
-void draw_change(const char* label, double now, double without, std::string_view tooltip) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(label);
-    widgets::hint(tooltip);
-    const auto cell = [](const std::string& text, ImU32 colour) {
-        ImGui::TableNextColumn();
-        const float width = ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopStyleColor();
-    };
-    const auto number = [](double value) {
-        return std::isnan(value) ? std::string(none) : fmt::format("{:.4g}", value);
-    };
-    cell(number(without), theme::dim_text);
-    cell(number(now), theme::text);
-    const double change = without > 0 ? 100 * (now - without) / without : now > 0 ? NAN : 0;
-    // What the digits shown cannot tell is no change.
-    const bool same = std::abs(change) < 0.005;
-    cell(std::isnan(change) ? none
-         : same             ? "0 %"
-                            : fmt::format("{:+.2f} %", change),
-         std::isnan(change) || same ? theme::dim_text
-         : change < 0               ? theme::passed
-                                    : theme::error);
-}
-
-void draw_comparison(const EngineState& state, const Edit& edit) {
-    const PlaneEffect& effect = state.plane_effect;
-    const auto pass = std::size_t(edit.session.view.map.rays);
-    const auto per_pixel = [&](const std::optional<FrameWalks>& walks, auto count) {
-        if (!walks || walks->totals[pass].rays == 0) return double(NAN);
-        return double(count(walks->totals[pass])) / double(walks->totals[pass].rays);
-    };
-    const auto row = [&](const char* label, auto count, std::string_view tooltip) {
-        draw_change(label, per_pixel(effect.now, count), per_pixel(effect.without, count), tooltip);
-    };
-    row(
-        "interior", [](const CounterTotals& c) { return c.interior_first + c.interior_again; },
-        "Visits of interior nodes per pixel that has such rays, repeated ones included.");
-    row(
-        "leaves", [](const CounterTotals& c) { return c.leaves; }, "Visits of leaves per pixel that has such rays.");
-    row(
-        "tests", [](const CounterTotals& c) { return c.triangle_tests; },
-        "Triangle tests per pixel that has such rays.");
-    draw_change("SAH cost", effect.now ? effect.now->sah_cost : NAN, effect.without ? effect.without->sah_cost : NAN,
-                "What the surface area heuristic expects of a random line through the whole tree, in traversal steps.");
-}
-
-/// With the planes by hand against without them, the same picture otherwise.
-void draw_effect(const EngineState& state, Edit& edit) {
-    ImGui::PushFont(theme::font(theme::Type::heading));
-    ImGui::TextUnformatted("Difference in visits");
-    ImGui::PopFont();
-    const PlaneEffect& effect = state.plane_effect;
-    if (!effect.planes) {
-        widgets::note(
-            "No plane is put by hand: drag the one in a chart, or its grip in the picture, and the tree is built "
-            "anew with it.");
-        return;
-    }
-    if (ImGui::BeginTable("effect", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
-        ImGui::TableNextRow();
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::dim_text);
-        for (const char* name : {"a pixel's", "builder", "by hand", "change"}) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(name);
-        }
-        ImGui::PopStyleColor();
-        draw_comparison(state, edit);
-        ImGui::EndTable();
-    }
-    Places::note("difference");
-    const auto rays = ray_names[std::size_t(edit.session.view.map.rays)];
-    if (!effect.without) {
-        widgets::note("Without planes by hand this picture is not traced yet.");
-        if (widgets::button("trace it so",
-                            "Puts all planes back; undo brings them again, and then there is something to "
-                            "compare with."))
-            edits::put_planes_back(edit);
-    } else {
-        widgets::note(
-            fmt::format("Of {} rays, the map's.{}", rays, effect.now ? "" : " The new picture is on its way."));
-    }
 }
 
 }  // namespace

@@ -1,14 +1,15 @@
 #include "app/window/cost_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/panels/edit.h"
 #include "app/window/chart_marks.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
-#include "viz/colormap.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -157,14 +158,59 @@ const Tag* tag_at(const std::vector<Tag>& tags, ImVec2 mouse) {
 /// Where the plane goes for the mouse.
 std::optional<float> wanted(const Plot& plot, const std::vector<SplitCandidate>& curve) {
     const float position = plot.position(ImGui::GetIO().MousePos.x);
-    return ImGui::GetIO().KeyShift ? std::optional(position) : nearest_candidate(curve, position);
+    if (!ImGui::GetIO().KeyShift) return nearest_candidate(curve, position);
+    return edits::inside(plot.chart.cell.costs->cell, plot.chart.axis, position);
+}
+
+/// What the mouse does in the chart, which is the item that Dear ImGui was given last.
+struct Mouse {
+    const Tag* tag = nullptr;  // under it
+    bool drags = false;        // the plane
+    CostAnswer answer;
+};
+
+Mouse read_mouse(const Plot& plot, const std::vector<SplitCandidate>& curve, const std::vector<Tag>& tags) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool active = ImGui::IsItemActive();
+    Mouse mouse;
+    if (active || ImGui::IsItemHovered()) mouse.tag = tag_at(tags, io.MousePos);
+    // Dear ImGui keeps what a press that is not over yet began with.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID dragging = ImGui::GetID("dragging");
+    if (ImGui::IsItemActivated()) {
+        storage.SetBool(dragging, mouse.tag == nullptr);
+        mouse.answer.begins = mouse.tag == nullptr;
+        if (mouse.tag) mouse.answer.taken = &plot.chart.cell.costs->choices[mouse.tag->choice];
+    }
+    mouse.drags = active && storage.GetBool(dragging);
+    const bool moves = mouse.answer.begins || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+    if (mouse.drags && moves) mouse.answer.position = wanted(plot, curve);
+    if (mouse.drags || ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(mouse.tag && !mouse.drags ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_ResizeEW);
+    return mouse;
+}
+
+void note_tags(const Plot& plot, const std::vector<Tag>& tags) {
+    Places* places = Places::current();
+    if (!places) return;
+    const float reach = theme::px(4);
+    for (const Tag& tag : tags)
+        places->add(fmt::format("take {}", plot.chart.cell.costs->choices[tag.choice].builder),
+                    {tag.centre.x - reach, tag.centre.y - reach}, {tag.centre.x + reach, tag.centre.y + reach});
+}
+
+void read_out(const Plot& plot, const std::vector<SplitCandidate>& curve, const Tag* tag) {
+    const std::string text = tag ? tag_text(plot, plot.chart.cell.costs->choices[tag->choice])
+                                 : curve_text(plot, curve, plot.position(ImGui::GetIO().MousePos.x));
+    widgets::read_out(text, false);
 }
 
 }  // namespace
 
 ImU32 choice_colour(std::size_t choice) {
-    const Rgba8 c = category_colour(int(choice));
-    return IM_COL32(c.r, c.g, c.b, 255);
+    // In an order that begins with the bright ones, and without the purple of what is selected.
+    constexpr std::array<Ink, 6> inks{Ink::reference, Ink::cpu, Ink::gpu, Ink::red, Ink::green, Ink::grey};
+    return chart::look_of(inks[choice % inks.size()]).colour;
 }
 
 CostScale cost_scale(const CellState& cell) {
@@ -209,38 +255,12 @@ CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
     chart::draw_stroke(list, {plot.low.x, leaf}, {plot.high.x, leaf}, chart::look_of(Ink::cpu), Stroke::dashed);
     draw_curve(list, plot);
     const std::vector<Tag> tags = tags_of(plot);
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool active = ImGui::IsItemActive();
-    static const Tag* const none = nullptr;
-    const Tag* tag = ImGui::IsItemHovered() || active ? tag_at(tags, mouse) : none;
-    CostAnswer answer;
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID dragging = ImGui::GetID("dragging");
-    if (ImGui::IsItemActivated()) {
-        storage.SetBool(dragging, tag == nullptr);
-        if (tag)
-            answer.taken = &chart.cell.costs->choices[tag->choice];
-        else
-            answer.begins = true;
-    }
-    const bool drags = active && storage.GetBool(dragging);
-    const ImGuiIO& io = ImGui::GetIO();
-    if (drags && (answer.begins || io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) answer.position = wanted(plot, curve);
-    draw_plane(list, plot, drags);
-    draw_tags(list, tags, drags ? nullptr : tag);
-    for (const Tag& t : tags)
-        if (Places* places = Places::current())
-            places->add(fmt::format("take {}", chart.cell.costs->choices[t.choice].builder),
-                        {t.centre.x - theme::px(4), t.centre.y - theme::px(4)},
-                        {t.centre.x + theme::px(4), t.centre.y + theme::px(4)});
-    if (ImGui::IsItemHovered() && !active) {
-        ImGui::SetMouseCursor(tag ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_ResizeEW);
-        widgets::read_out(tag ? tag_text(plot, chart.cell.costs->choices[tag->choice])
-                              : curve_text(plot, curve, plot.position(mouse.x)),
-                          false);
-    }
-    if (drags) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    return answer;
+    const Mouse mouse = read_mouse(plot, curve, tags);
+    draw_plane(list, plot, mouse.drags);
+    draw_tags(list, tags, mouse.drags ? nullptr : mouse.tag);
+    note_tags(plot, tags);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) read_out(plot, curve, mouse.tag);
+    return mouse.answer;
 }
 
 }  // namespace kd

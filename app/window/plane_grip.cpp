@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/window/places.h"
 #include "app/window/theme.h"
@@ -13,6 +14,8 @@ namespace kd {
 namespace {
 
 constexpr float grip_radius = 7;
+
+}  // namespace
 
 /// The rectangle of a plane in a cell, and the way from the picture to it.
 struct PlaneView {
@@ -52,6 +55,8 @@ struct PlaneView {
         return double(low) + *s * double(direction[plane.axis]);
     }
 };
+
+namespace {
 
 std::optional<PlaneView> view_of(const Rectangle& area, const EngineState& state, const Edit& edit) {
     if (!state.picture || !state.selected || state.loading.active || edit.window.node != state.selected->path)
@@ -100,6 +105,7 @@ std::optional<Grip> grip_of(const PlaneView& view) {
 
 bool is_near(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y) <= theme::px(grip_radius + 3); }
 
+constexpr const char* no_way = "The plane's axis points at the eye: turn the camera to drag it.";
 constexpr const char* what_it_is =
     "The split plane of the node selected. Drag it along its axis: the tree is built anew "
     "with it, and the camera stays. "
@@ -107,36 +113,38 @@ constexpr const char* what_it_is =
 
 }  // namespace
 
+/// The mouse comes to the grip, and takes it with a press.
+bool PlaneGrip::take(const PlaneView& view) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const std::optional<Grip> grip = grip_of(view);
+    if (!grip || !ImGui::IsItemHovered() || !is_near(mouse, grip->place)) return false;
+    const std::optional<double> at = view.position_at(mouse, grip->u, grip->v);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!ImGui::IsItemActive()) widgets::show_tooltip(at ? what_it_is : no_way, mouse);
+    if (!at || !ImGui::IsItemActivated() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return false;
+    held_ = true;
+    along_u_ = grip->u;
+    along_v_ = grip->v;
+    offset_ = double(view.plane.position) - *at;
+    moved_ = false;
+    return true;
+}
+
 bool PlaneGrip::handle(const Rectangle& area, const EngineState& state, Edit& edit) {
-    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) held_ = false;
+    const bool pressed = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const std::optional<PlaneView> view =
         shows(edit, splits_panel) ? view_of(area, state, edit) : std::optional<PlaneView>();
-    if (!view) return held_ = false;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (!held_) {
-        const std::optional<Grip> grip = grip_of(*view);
-        if (!grip || !ImGui::IsItemHovered() || !is_near(mouse, grip->place)) return false;
-        const std::optional<double> at = view->position_at(mouse, grip->u, grip->v);
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        if (!ImGui::IsItemActive())
-            widgets::show_tooltip(at ? what_it_is : "The plane's axis points at the eye: turn the camera to drag it.",
-                                  mouse);
-        if (!at || !ImGui::IsItemActivated() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return false;
-        held_ = true;
-        along_u_ = grip->u;
-        along_v_ = grip->v;
-        offset_ = double(view->plane.position) - *at;
-        edits::put_plane(edit, view->plane, true);
-        return true;
-    }
+    if (!view || !pressed) held_ = false;
+    if (!view) return false;
+    if (!held_) return take(*view);
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-    const std::optional<double> at = view->position_at(mouse, along_u_, along_v_);
-    if (!at) return true;
     HandSplit plane = view->plane;
-    if (const auto kept = edits::inside(view->cell, plane.axis, float(*at + offset_))) {
-        plane.position = *kept;
-        edits::put_plane(edit, plane, false);
-    }
+    if (const auto at = view->position_at(ImGui::GetIO().MousePos, along_u_, along_v_))
+        if (const auto kept = edits::inside(view->cell, plane.axis, float(*at + offset_))) {
+            if (*kept == plane.position) return true;
+            plane.position = *kept;
+            edits::put_plane(edit, plane, !std::exchange(moved_, true));
+        }
     return true;
 }
 
@@ -145,7 +153,7 @@ void PlaneGrip::draw(ImDrawList& list, const Rectangle& area, const EngineState&
     if (!view) return;
     const std::vector<ImVec2> outline = view->outline();
     if (outline.size() < 3) return;
-    list.AddConvexPolyFilled(outline.data(), int(outline.size()), theme::faded(theme::selected, 0.16f));
+    list.AddConvexPolyFilled(outline.data(), int(outline.size()), theme::faded(theme::selected, 0.25f));
     list.AddPolyline(outline.data(), int(outline.size()), theme::outline, ImDrawFlags_Closed, theme::px(3.5f));
     list.AddPolyline(outline.data(), int(outline.size()), theme::selected, ImDrawFlags_Closed, theme::px(1.5f));
     if (!shows(edit, splits_panel)) return;

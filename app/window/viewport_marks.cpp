@@ -41,7 +41,7 @@ void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& stat
     if (state.hit)
         for (const ScreenLine& line : state.hit->outline) draw(line, theme::hit, 1);
     if (state.selected)
-        for (const ScreenLine& line : state.selected->outline) draw(line, theme::selected, 2);
+        for (const ScreenLine& line : state.selected->outline) draw(line, theme::selected, 3);
     if (!state.step) return;
     for (const ScreenLine& line : state.step->leaf.outline) draw(line, theme::text, 2);
 }

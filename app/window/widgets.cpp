@@ -26,7 +26,8 @@ void place_tooltip(ImVec2 at) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     const float gap = theme::px(8);
-    if (width < 0.4f * display.x) {
+    const bool at_bottom = corner.y > display.y / 2 && corner.y + ImGui::GetWindowHeight() > display.y - theme::px(40);
+    if (width < 0.4f * display.x && !at_bottom) {
         const bool left = corner.x + width / 2 < display.x / 2, low = at.y > display.y / 2;
         ImGui::SetNextWindowPos({left ? corner.x + width + gap : corner.x - gap, at.y}, ImGuiCond_Always,
                                 {left ? 0.0f : 1.0f, low ? 1.0f : 0.0f});

@@ -82,5 +82,45 @@ TEST(Projection, RandomSegmentsStayNearThePicture) {
     }
 }
 
+TEST(Projection, PolygonsAreCutToThePicture) {
+    const Projection projection(camera_at({0, 0, 4}, {0, 0, 0}, 100, 100), 100, 100);
+    const std::vector<Vec3> inside{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    ASSERT_EQ(projection.project_polygon(inside).size(), 4u);
+    EXPECT_NEAR(projection.project_polygon(inside)[0].x, 37.5, 1e-4);
+    // The whole picture, from a floor that goes past the eye.
+    const std::vector<Vec3> wide{{-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
+    double area = 0;
+    const std::vector<PixelPoint> seen = projection.project_polygon(wide);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const PixelPoint &a = seen[i], &b = seen[(i + 1) % seen.size()];
+        area += 0.5 * (a.x * b.y - b.x * a.y);
+        EXPECT_TRUE(a.x > -1e-6 && a.x < 100 + 1e-6 && a.y > -1e-6 && a.y < 100 + 1e-6);
+    }
+    EXPECT_NEAR(std::abs(area), 100 * 100, 1e-3);
+    const std::vector<Vec3> passes{{-1, -1, 0}, {1, -1, 0}, {1, -1, 20}, {-1, -1, 20}};
+    EXPECT_GE(projection.project_polygon(passes).size(), 3u) << "half of it behind the eye";
+    const std::vector<Vec3> behind{{-1, -1, 5}, {1, -1, 5}, {1, 1, 5}};
+    EXPECT_LT(projection.project_polygon(behind).size(), 3u);
+}
+
+TEST(Projection, PointsOfALineAreFoundWhereTheyAreSeen) {
+    const int w = 320, h = 200;
+    const Projection projection(pinhole(test::ball_camera(), w, h), w, h);
+    const Vec3 start(-0.3f, 0.2f, 0.1f);
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 direction(0);
+        direction[axis] = 2;
+        for (const float s : {-0.4f, 0.0f, 0.3f, 0.5f}) {
+            const auto seen = projection.project(start + s * direction);
+            ASSERT_TRUE(seen);
+            const auto found = projection.nearest_on_line(start, direction, seen->x, seen->y);
+            ASSERT_TRUE(found);
+            EXPECT_NEAR(*found, s, 1e-5);
+        }
+    }
+    const Projection ahead(camera_at({0, 0, 4}, {0, 0, 0}, w, h), w, h);
+    EXPECT_FALSE(ahead.nearest_on_line({0, 0, 0}, {0, 0, 1}, w / 2.0, h / 2.0)) << "it points at the eye";
+}
+
 }  // namespace
 }  // namespace kd
