@@ -47,11 +47,14 @@ TEST(SessionFile, TheOneUnlikeTheDefaultIsSoInEveryField) {
     for (const auto& [place, value] : usual.items()) EXPECT_NE(unlike.value(place, json("none")), value) << place;
 }
 
-/// Every key of an object and those within it.
+/// Every key of an object and those within it and its lists.
 void collect_keys(const json& object, std::set<std::string>& keys) {
     for (const auto& [key, value] : object.items()) {
         keys.insert(key);
         if (value.is_object()) collect_keys(value, keys);
+        if (!value.is_array()) continue;
+        for (const json& entry : value)
+            if (entry.is_object()) collect_keys(entry, keys);
     }
 }
 
