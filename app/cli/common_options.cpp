@@ -135,11 +135,7 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
                    text("Splits on one path that may cost more than they save", build.bad_refines)),
         add_number(app, "--reference-cap", build.reference_cap, limits::reference_cap,
                    text("Most leaf references per triangle", build.reference_cap)),
-        add_text_option(app, "--split", "PATH:AXIS:AT",
-                        "A plane put by hand, as often as you like: the node by its path from the root (b: the child "
-                        "below, a: above; nothing: the root), axis x, y or z, position in scene units",
-                        [&build](const std::string& given) { add_hand_split(build.by_hand, given); })
-            ->take_all(),
+        add_split_option(app, build.by_hand),
         add_number(app, "--bins", build.bins, limits::bins, text("Bins on each axis of builder binned", build.bins)),
         app.add_flag_callback(
             "--box-leaves", [&build] { build.trim_leaves = false; },

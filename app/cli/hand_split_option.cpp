@@ -1,11 +1,15 @@
 #include "app/cli/hand_split_option.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "app/choices.h"
 #include "app/cli/typed_options.h"
+#include "renderer/io/printable.h"
 
 namespace kd {
+
+namespace {
 
 void add_hand_split(std::vector<HandSplit>& splits, const std::string& given) {
     const std::size_t first = given.find(':');
@@ -17,6 +21,26 @@ void add_hand_split(std::vector<HandSplit>& splits, const std::string& given) {
     splits.push_back(
         {given.substr(0, first), chosen(choices::axes(), given.substr(first + 1, second - first - 1), "axis"), *at});
     if (const auto fault = hand_split_fault(splits, splits.size() - 1)) refuse(fmt::format("'{}': {}", given, *fault));
+}
+
+}  // namespace
+
+CLI::Option* add_split_option(CLI::App& app, std::vector<HandSplit>& splits) {
+    const auto take = [&splits](const std::vector<std::string>& given) {
+        splits.clear();
+        try {
+            for (const std::string& one : given) add_hand_split(splits, one);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError("--split", printable(error.what(), 1000));
+        }
+    };
+    return app
+        .add_option_function<std::vector<std::string>>(
+            "--split", take,
+            "A plane put by hand, as often as you like: the node by its path from the root (b: the child below, a: "
+            "above; nothing: the root), axis x, y or z, position in scene units")
+        ->type_name("PATH:AXIS:AT")
+        ->allow_extra_args(false);
 }
 
 }  // namespace kd

@@ -1,14 +1,18 @@
 // --split: planes that a person puts in the place of a builder's.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "renderer/kdtree/hand_split.h"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace kd {
 
-/// Adds "ba:x:0.5": path, axis and position. Throws std::invalid_argument saying what is wrong with it.
-void add_hand_split(std::vector<HandSplit>& splits, const std::string& given);
+/// As often as you like: "ba:x:0.5" is path, axis and position.
+CLI::Option* add_split_option(CLI::App& app, std::vector<HandSplit>& splits);
 
 }  // namespace kd

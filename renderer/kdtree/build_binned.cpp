@@ -4,7 +4,6 @@
 // exactly.
 
 #include <algorithm>
-#include <functional>
 
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/sah.h"
@@ -48,8 +47,6 @@ class BinnedSplitter : public Splitter {
         int axis = 0;
         float position = 0.0f;
         double cost = std::numeric_limits<double>::infinity();
-        CellLists::Tally tally{};
-        bool counted = false;  // the bins know the tally, not only about
     };
 
     [[nodiscard]] AxisRange range(int axis, std::int32_t number) const {
@@ -81,8 +78,10 @@ class BinnedSplitter : public Splitter {
         }
         if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
 
+        // Bins only estimate where a cell is so thin that rounding puts an end some bins beside its own: the split is
+        // made by true counts.
         const SplitCost cost(config_, cell, best.axis);
-        const auto [below, planar, above] = best.counted ? best.tally : lists.tally(best.axis, best.position);
+        const auto [below, planar, above] = lists.tally(best.axis, best.position);
         Split split{.axis = best.axis, .position = best.position, .below = below + planar, .above = above};
         if (planar > 0 && cost(best.position, below, above + planar) < cost(best.position, below + planar, above)) {
             split.planar_below = false;
@@ -95,8 +94,7 @@ class BinnedSplitter : public Splitter {
 
     /// Puts the axis' cheapest plane between two bins in the place of a dearer one.
     void improve(Plane& best, const Aabb& cell, int axis, std::span<const std::int32_t> numbers) {
-        // An end may be some bins beside its own where a cell is so thin that planes fall together.
-        const bool ascending = place_planes(cell, axis);
+        place_planes(cell, axis);
         fill_bins(cell, axis, numbers);
         const SplitCost cost_of(config_, cell, axis);
         int below = 0;
@@ -109,19 +107,18 @@ class BinnedSplitter : public Splitter {
             const int planar = bins_[k].planar;
             double cost = cost_of(position, below + planar, above);
             if (planar > 0) cost = std::min(cost, cost_of(position, below, above + planar));
-            if (cost < best.cost) best = {axis, position, cost, {below, planar, above}, ascending};
+            if (cost < best.cost) best = {axis, position, cost};
         }
     }
 
-    /// The lower face of each bin, without end at both ends. True where each lies above the one before.
-    bool place_planes(const Aabb& cell, int axis) {
+    /// The lower face of each bin, without end at both ends.
+    void place_planes(const Aabb& cell, int axis) {
         constexpr float infinity = std::numeric_limits<float>::infinity();
         const double lower = cell.lower[axis], upper = cell.upper[axis];
         for (std::size_t k = 0; k < bins_.size(); ++k)
             planes_[k] = float((1.0 - shares_[k]) * lower + shares_[k] * upper);
         planes_.front() = -infinity;
         planes_.back() = infinity;
-        return std::ranges::adjacent_find(planes_, std::ranges::greater_equal{}) == planes_.end();
     }
 
     /// A box that ends on the plane between two bins ends in the one below, one that starts there in the one above: one

@@ -86,19 +86,27 @@ class CellParts {
     std::vector<Aabb> boxes_;
 };
 
+bool lies_in(const Triangle& triangle, const Split& split) {
+    return std::ranges::all_of(triangle.corner, [&](const Vec3& at) { return at[split.axis] == split.position; });
+}
+
 /// What every builder would do with the cell at the end of `way`, which the builder of `config` went.
 std::vector<BuilderChoice> all_choices(std::span<const Triangle> triangles, const Aabb& bounds, const CellCosts& costs,
                                        std::vector<WayStep> way, const BuildConfig& config, const CellParts& parts,
                                        const std::stop_token& stop) {
     BuildReport report;
     const BuildProgress no_progress;
-    learn_planar_sides({triangles, config, report, no_progress, stop}, bounds, way);
     // No other triangle can be in the cell's lists, by whatever box.
     std::vector<Triangle> near;
     for (const Triangle& triangle : triangles) {
         const Aabb common = common_part(bounds_of(triangle), costs.cell);
         if (glm::all(glm::lessThanEqual(common.lower, common.upper))) near.push_back(triangle);
     }
+    // Asking the builder all the way down takes as long as its first decisions did: only where it matters.
+    const bool any_planar = std::ranges::any_of(way, [&](const WayStep& step) {
+        return std::ranges::any_of(near, [&](const Triangle& t) { return lies_in(t, step.split); });
+    });
+    if (any_planar) learn_planar_sides({triangles, config, report, no_progress, stop}, bounds, way);
     std::vector<BuilderChoice> choices;
     BuildConfig own = config;
     own.by_hand.clear();

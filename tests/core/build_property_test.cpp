@@ -129,16 +129,14 @@ Boxes boxes_of(const std::vector<Triangle>& triangles, const std::set<int>& numb
     return boxes;
 }
 
-/// What the boxes of a node's triangles become in its child: cut triangles are clipped.
+/// What the boxes of a node's triangles become in its child below (0) or above (1): cut triangles are clipped.
 Boxes clipped_boxes(const std::vector<Triangle>& triangles, const Boxes& whole, const std::set<int>& numbers,
-                    const TreeNode& parent, const Aabb& cell) {
+                    const TreeNode& parent, const Aabb& cell, std::size_t side) {
     Boxes boxes;
     for (const int t : numbers) {
         const Aabb box = whole.at(t);
-        boxes[t] = box;
-        if (!(box.lower[parent.flag] < parent.split && parent.split < box.upper[parent.flag])) continue;
-        const Aabb known{glm::max(box.lower, cell.lower), glm::min(box.upper, cell.upper)};
-        boxes[t] = clipped_bounds(triangles[std::size_t(t)], cell, known);
+        const bool is_cut = box.lower[parent.flag] < parent.split && parent.split < box.upper[parent.flag];
+        boxes[t] = is_cut ? clipped_halves(triangles[std::size_t(t)], cell, parent.flag, parent.split, box)[side] : box;
     }
     return boxes;
 }
@@ -170,9 +168,11 @@ void check_choices(const std::vector<Triangle>& triangles, BuildConfig config, c
                 expected = std::min(expected, least_cost(config, cells[i], here, axis));
         RC_ASSERT(counted_cost(SplitCost(config, cells[i], node.flag), here, node.flag, node.split) == expected);
 
-        for (const std::size_t child : {i + 1, std::size_t(node.link)})
-            boxes[child] = rule.clips ? clipped_boxes(triangles, boxes[i], inside[child], node, cells[child])
+        for (const std::size_t side : {0u, 1u}) {
+            const std::size_t child = side == 0 ? i + 1 : std::size_t(node.link);
+            boxes[child] = rule.clips ? clipped_boxes(triangles, boxes[i], inside[child], node, cells[i], side)
                                       : boxes_of(triangles, inside[child]);
+        }
     }
 }
 

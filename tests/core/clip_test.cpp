@@ -95,5 +95,33 @@ TEST(Clip, HoldsEveryPointOfThePart) {
     EXPECT_GT(tightness, 1000) << "boxes are not much larger than what lies in them";
 }
 
+/// Each bound of one box beside that of the other: rounding in double, outwards to floats, ends in neighbours.
+void expect_neighbours(const Aabb& a, const Aabb& b) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const auto& [x, y] : {std::pair(a.lower[axis], b.lower[axis]), std::pair(a.upper[axis], b.upper[axis])}) {
+            EXPECT_GE(y, std::nextafter(x, -infinity));
+            EXPECT_LE(y, std::nextafter(x, infinity));
+        }
+}
+
+TEST(Clip, HalvesAreThePartsInBothHalvesOfTheCell) {
+    test::Random random(32);
+    for (int i = 0; i < 3000; ++i) {
+        Triangle triangle;
+        for (Vec3& corner : triangle.corner) corner = random.point(-1, 1);
+        const Aabb cell = cell_in(bounds_of(triangle), random);
+        const Aabb part = part_in(triangle, cell);
+        const int axis = i % 3;
+        const float position = 0.5f * (part.lower[axis] + part.upper[axis]);
+        if (!(part.lower[axis] < position && position < part.upper[axis])) continue;
+        const auto halves = clipped_halves(triangle, cell, axis, position, part);
+        for (int side = 0; side < 2; ++side) {
+            Aabb half = cell, known = part;
+            (side == 0 ? half.upper : half.lower)[axis] = (side == 0 ? known.upper : known.lower)[axis] = position;
+            expect_neighbours(halves[std::size_t(side)], clipped_bounds(triangle, half, known));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace kd
