@@ -152,8 +152,10 @@ small_splits() {
     open ball:9000
     press_all shift+s
     click_on "SPLITS/root"
-    wait_for '^splits.costs.triangles='
-    drag_slider "SPLITS/across x" 0.6 0.5
+    click_on "SPLITS/below"
+    click_on "SPLITS/above"
+    wait_for '^splits.costs.path=ba$'
+    drag_slider "SPLITS/across x" 0.3 0.43
     wait_for '^splits.without.interior='
     wait_for '^splits.now.interior='
     hover 600 20
