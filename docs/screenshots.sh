@@ -165,11 +165,12 @@ small_splits() {
 small_nodes() {
     open ball:9000
     press_all i
-    hover 330 200
+    hover 270 190
     press p
     wait_for '^selected.leaf=true$'
     choose "NODES/colours" visits
     wait_for '^nodes.coloured=true$' 120
+    click_on "NODES/y"
     click_on "NODES/hit"
     hover 600 20
     shoot nodes
