@@ -20,8 +20,8 @@ struct TreeStats {
     double sah_cost = 0;
     double expected_interior_visits = 0, expected_leaf_visits = 0, expected_triangle_tests = 0;  // per uniform line
     std::int64_t node_bytes = 0, packed_node_bytes = 0;  // 16 and 8 per node (NodeEncoding)
-    std::int64_t reference_list_bytes = 0;   // leaf lists as numbers, plus the triangles once
-    std::int64_t duplicated_list_bytes = 0;  // leaf lists as copies of vertices (paper)
+    std::int64_t reference_list_bytes = 0;               // leaf lists as numbers, plus the triangles once
+    std::int64_t duplicated_list_bytes = 0;              // leaf lists as copies of vertices (paper)
 };
 
 /// For each node, how likely a uniform line that meets the root's cell meets the node's: area(node) / area(root)
