@@ -207,8 +207,8 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
     const std::vector<Traversal> counted = counted_traversals(common);
     if (counted.empty())
         throw InputError(
-            fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose stack, "
-                        "restart or backtrack under the robust rules",
+            fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose a walk "
+                        "of the tree under the robust rules",
                         info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
     for (const Traversal traversal : wanted_traversals(common, false))
         if (std::ranges::find(counted, traversal) == counted.end())

@@ -135,7 +135,7 @@ int run_predicted(const CommonOptions& common, const DivergenceOptions& options,
         for (const std::string& builder : builders_of(s, every_builder)) {
             if (s.build.builder != builder) {
                 walked.session.build.builder = builder;
-                walked.tree = build_tree(walked.scene.triangles, s.build, nullptr, {}, context.stop);
+                walked.tree = build_tree(walked.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
                 check_stop(context);
             }
             std::vector<std::optional<Pass>> kinds{std::nullopt};

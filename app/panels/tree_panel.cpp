@@ -12,51 +12,71 @@ namespace {
 
 void draw_builder(Edit& edit) {
     widgets::choice("builder", edit.session.build.builder, widgets::options_of(builders()),
-                    "Where the tree puts its split planes. Key B: the next. Option --builder.");
+                    "Where the tree puts its split planes. On the map medians glow around small details, the surface "
+                    "area heuristics keep empty space dark. Key B: the next. Option --builder.");
 }
 
 void draw_constants(BuildConfig& b) {
     widgets::slider("traversal cost (t_t)", b.traversal_cost, 0.1f, 10, "%.2f",
-                    "Of visiting one interior node. Larger makes flatter trees with larger leaves. Option "
-                    "--traversal-cost.",
+                    "Of visiting one interior node. Larger: fewer, larger leaves. The map of nodes darkens, that of "
+                    "triangle tests glows on surfaces. Option --traversal-cost.",
                     true);
     widgets::slider("intersection cost (t_i)", b.intersection_cost, 0.1f, 10, "%.2f",
-                    "Of one triangle test. Larger makes deeper trees with fewer tests. Option --intersection-cost.",
+                    "Of one triangle test. Larger: deeper trees. The map of triangle tests darkens, that of nodes "
+                    "glows where much detail lies behind a pixel. Option --intersection-cost.",
                     true);
     widgets::slider("empty bonus (b_e)", b.empty_bonus, 0, 1, "%.2f",
-                    "The part of the cost forgiven when a split leaves one child empty. Larger carves off more empty "
-                    "space. Option --empty-bonus.");
+                    "The part of the cost forgiven when a split leaves one child empty. Larger: background and the air "
+                    "around things end sooner, but thin slices cost more nodes where rays graze surfaces. Option "
+                    "--empty-bonus.");
     widgets::slider("leaf size", b.leaf_size, 1, 32, "%d",
-                    "Nodes with at most this many triangles are not split further. Option --leaf-size.");
+                    "Nodes with at most this many triangles are not split further. Larger: tests glow evenly on all "
+                    "surfaces, nodes darken. Option --leaf-size.");
     const Builder* builder = find_builder(b.builder);
     if (builder && builder->has_bins)
         widgets::slider("bins", b.bins, fewest_bins, most_bins, "%d",
                         "Planes are tried between so many bins on each axis; nodes with no more triangles than bins "
-                        "are swept exactly. More make better trees. Option --bins.");
+                        "are swept exactly. Few: planes miss the edges of things, whose outlines glow. Option --bins.");
 }
 
 void draw_more_constants(BuildConfig& b, const EngineState& state) {
     if (!widgets::fold("more constants", false)) return;
     widgets::slider("bonus gate", b.empty_bonus_gate, 0, 1, "%.2f",
-                    "The bonus counts only where the empty child takes at least this share of the node. 0 is the "
-                    "paper's rule. Option --empty-bonus-gate.");
-    widgets::slider(
-        "empty cut", b.empty_cut, 0, 1, "%.2f",
-        "Where at least this share of a node, from one face on, is empty, it is cut off before anything else "
-        "is tried: long empty stretches end in one step. 0: never. Option --empty-cut.");
+                    "The bonus counts only where the empty child takes at least this share of the node. Near 0, the "
+                    "paper's rule, slices pile up along surfaces and the map of nodes glows there. Option "
+                    "--empty-bonus-gate.");
+    widgets::slider("empty cut", b.empty_cut, 0, 1, "%.2f",
+                    "Where at least this share of a node, from one face on, is empty, it is cut off before anything "
+                    "else is tried: background darkens, surfaces may glow more. 0: never. Option --empty-cut.");
     const int automatic = state.world ? depth_limit(BuildConfig{}, state.world->scene().triangles.size()) : 0;
     widgets::slider("max depth", b.max_depth, 0, max_tree_depth, b.max_depth == 0 ? "automatic" : "%d",
-                    fmt::format("No leaf lies deeper. 0: 8 + 1.6 log2(N), here {}. Option --max-depth.", automatic));
+                    fmt::format("No leaf lies deeper. Low: dense parts of the scene end in large leaves, which the map "
+                                "of triangle tests shows as hot spots. 0: 8 + 1.6 log2(N), here {}. Option "
+                                "--max-depth.",
+                                automatic));
     widgets::slider("bad refines", b.bad_refines, 0, 10, "%d",
-                    "How often on one path a split may cost more than it saves before the node becomes a leaf. Option "
+                    "How often on one path a split may cost more than it saves before the node becomes a leaf. More: "
+                    "hot spots of tests, where a first plane saves nothing but a second would, break up. Option "
                     "--bad-refines.");
     widgets::slider("reference cap", b.reference_cap, 1, 256, "%.0f",
-                    "Most entries of leaf lists per triangle: keeps hopeless scenes within memory. Option "
-                    "--reference-cap.",
+                    "Most entries of leaf lists per triangle: keeps hopeless scenes within memory. Reached (a message "
+                    "says so), parts of the picture stay hot. Option --reference-cap.",
                     true);
     widgets::toggle("trim leaves", b.trim_leaves,
                     "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the "
-                    "paper. Option --box-leaves turns it off.");
+                    "paper; the map of triangle tests glows more, that of nodes stays. Option --box-leaves turns it "
+                    "off.");
+}
+
+/// Planes that a person put, however they came there.
+void draw_hands(std::vector<HandSplit>& by_hand, const EngineState& state) {
+    if (by_hand.empty()) return;
+    const int idle = state.world ? state.world->report.idle_hand_splits : 0;
+    widgets::value("planes by hand",
+                   idle > 0 ? fmt::format("{}, {} not used", by_hand.size(), idle) : fmt::format("{}", by_hand.size()),
+                   "They stand in the place of the builder's. Not used are those whose node is not there, or whose "
+                   "plane is not inside its cell. Option --split.");
+    if (widgets::button("remove planes by hand", "The builder chooses everywhere again.")) by_hand.clear();
 }
 
 /// Two ways back from constants that were tried.
@@ -104,6 +124,7 @@ void draw_tree_panel(const EngineState& state, Edit& edit) {
     draw_constants(edit.session.build);
     draw_presets(edit.session.build);
     draw_more_constants(edit.session.build, state);
+    draw_hands(edit.session.build.by_hand, state);
     if (state.world) draw_statistics(state);
 }
 

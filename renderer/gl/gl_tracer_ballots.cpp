@@ -26,6 +26,9 @@ constexpr const char* steps_of(Traversal traversal) {
         case Traversal::stack: return "0";
         case Traversal::restart: return "1";
         case Traversal::backtrack: return "2";
+        case Traversal::push_down: return "3";
+        case Traversal::short_stack: return "4";
+        case Traversal::ropes: return "5";
         default: return "";
     }
 }
@@ -88,8 +91,8 @@ void check_ballots(const BallotSupport& support, const TraceConfig& config, Sche
         throw BallotError("no machine runs the idealised lockstep; choose if-if or while-while");
     if (!has_ballot_loop(config))
         throw BallotError(
-            fmt::format("no loop that counts lanes is written for {} under rules {}; choose stack, restart or "
-                        "backtrack under the robust rules",
+            fmt::format("no loop that counts lanes is written for {} under rules {}; choose a walk of the tree under "
+                        "the robust rules",
                         info(config.traversal).name, info(config.rules).name));
 }
 

@@ -3,6 +3,9 @@
 // construction for interactive ray tracing of dynamic scenes", 2007. A cell with no more triangles than bins is swept
 // exactly.
 
+#include <algorithm>
+#include <functional>
+
 #include "renderer/kdtree/builders.h"
 #include "renderer/kdtree/sah.h"
 #include "renderer/kdtree/splitter.h"
@@ -15,10 +18,12 @@ class BinnedSplitter : public Splitter {
   public:
     BinnedSplitter(const BuildTask& task, const TriangleRanges& ranges) : BinnedSplitter(task.config, ranges) {}
     BinnedSplitter(const BuildConfig& config, const TriangleRanges& ranges)
-        : config_(config), ranges_(ranges), starts_(std::size_t(config_.bins)), ends_(starts_), planar_(starts_) {}
+        : config_(config), ranges_(ranges), bins_(std::size_t(config.bins)), planes_(bins_.size() + 1) {
+        for (int k = 0; k < config.bins; ++k) shares_.push_back(double(k) / config.bins);
+    }
 
     std::optional<Split> choose(const Aabb& cell, const CellLists& lists) override {
-        return lists.top().size() <= starts_.size() ? sweep(cell, lists.top()) : choose_plane(cell, lists);
+        return lists.top().size() <= bins_.size() ? sweep(cell, lists.top()) : choose_plane(cell, lists);
     }
 
     void divide(const Aabb&, const Split& split, CellLists& lists) override {
@@ -43,6 +48,8 @@ class BinnedSplitter : public Splitter {
         int axis = 0;
         float position = 0.0f;
         double cost = std::numeric_limits<double>::infinity();
+        CellLists::Tally tally{};
+        bool counted = false;  // the bins know the tally, not only about
     };
 
     [[nodiscard]] AxisRange range(int axis, std::int32_t number) const {
@@ -74,9 +81,8 @@ class BinnedSplitter : public Splitter {
         }
         if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
 
-        // Bins only estimate where rounding puts a box beside a plane: the split is made by true counts.
         const SplitCost cost(config_, cell, best.axis);
-        const auto [below, planar, above] = lists.tally(best.axis, best.position);
+        const auto [below, planar, above] = best.counted ? best.tally : lists.tally(best.axis, best.position);
         Split split{.axis = best.axis, .position = best.position, .below = below + planar, .above = above};
         if (planar > 0 && cost(best.position, below, above + planar) < cost(best.position, below + planar, above)) {
             split.planar_below = false;
@@ -89,57 +95,74 @@ class BinnedSplitter : public Splitter {
 
     /// Puts the axis' cheapest plane between two bins in the place of a dearer one.
     void improve(Plane& best, const Aabb& cell, int axis, std::span<const std::int32_t> numbers) {
+        // An end may be some bins beside its own where a cell is so thin that planes fall together.
+        const bool ascending = place_planes(cell, axis);
         fill_bins(cell, axis, numbers);
         const SplitCost cost_of(config_, cell, axis);
-        const int bins = int(starts_.size());
         int below = 0;
         int above = int(numbers.size());
-        for (int k = 1; k < bins; ++k) {
-            below += starts_[std::size_t(k) - 1];
-            above -= ends_[std::size_t(k) - 1];
-            const double share = double(k) / bins;
-            const auto position = float((1.0 - share) * double(cell.lower[axis]) + share * double(cell.upper[axis]));
+        for (std::size_t k = 1; k < bins_.size(); ++k) {
+            below += bins_[k - 1].starts;
+            above -= bins_[k - 1].ends;
+            const float position = planes_[k];
             if (!(position > cell.lower[axis] && position < cell.upper[axis])) continue;
-            const int planar = planar_[std::size_t(k)];
-            const double cost =
-                std::min(cost_of(position, below, above), cost_of(position, below + planar, above - planar));
-            if (cost < best.cost) best = {axis, position, cost};
+            const int planar = bins_[k].planar;
+            double cost = cost_of(position, below + planar, above);
+            if (planar > 0) cost = std::min(cost, cost_of(position, below, above + planar));
+            if (cost < best.cost) best = {axis, position, cost, {below, planar, above}, ascending};
         }
     }
 
-    /// A box that ends on the plane between two bins ends in the one below, one that starts or lies there in the one
-    /// above.
+    /// The lower face of each bin, without end at both ends. True where each lies above the one before.
+    bool place_planes(const Aabb& cell, int axis) {
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        const double lower = cell.lower[axis], upper = cell.upper[axis];
+        for (std::size_t k = 0; k < bins_.size(); ++k)
+            planes_[k] = float((1.0 - shares_[k]) * lower + shares_[k] * upper);
+        planes_.front() = -infinity;
+        planes_.back() = infinity;
+        return std::ranges::adjacent_find(planes_, std::ranges::greater_equal{}) == planes_.end();
+    }
+
+    /// A box that ends on the plane between two bins ends in the one below, one that starts there in the one above: one
+    /// that lies in the plane starts behind its end.
     void fill_bins(const Aabb& cell, int axis, std::span<const std::int32_t> numbers) {
-        std::fill(starts_.begin(), starts_.end(), 0);
-        std::fill(ends_.begin(), ends_.end(), 0);
-        std::fill(planar_.begin(), planar_.end(), 0);
-        const double lower = cell.lower[axis];
-        const double bins = double(starts_.size());
-        const double per_length = bins / (double(cell.upper[axis]) - lower);
-        const int last = int(starts_.size()) - 1;
+        std::fill(bins_.begin(), bins_.end(), Bin{});
+        const float lower = cell.lower[axis];
+        const float last = float(bins_.size() - 1);
+        const float per_length = float(double(bins_.size()) / (double(cell.upper[axis]) - double(lower)));
         const std::vector<AxisRange>& ranges = ranges_.axis[std::size_t(axis)];
-        // Plain ints and pointers: conversions to unsigned and the members' addresses took a third of the time.
-        int* const starts = starts_.data();
-        int* const ends = ends_.data();
-        int* const planar = planar_.data();
+        Bin* const bins = bins_.data();
+        const float* const planes = planes_.data();
+        // Rounding puts an end one bin beside its own at most. All without branches, which take twice as long.
+        const auto bin_near = [&](float at) {
+            float bin = (at - lower) * per_length;
+            bin = bin > 0.0f ? bin : 0.0f;
+            bin = bin < last ? bin : last;
+            return int(bin);
+        };
         for (const std::int32_t n : numbers) {
             const auto [from, to] = ranges[std::size_t(n)];
-            const double begin = std::min(std::max((double(from) - lower) * per_length, 0.0), bins);
-            const int start = std::min(int(begin), last);
-            const double reach = std::min(std::max((double(to) - lower) * per_length, 0.0), bins);
-            int end = std::min(int(reach), last);
-            const bool on_plane = double(end) == reach;
-            end -= on_plane && end > start;
-            planar[end] += on_plane && from == to;
-            ++starts[start];
-            ++ends[end];
+            int start = bin_near(from);
+            start += int(from >= planes[start + 1]) - int(from < planes[start]);
+            int end = bin_near(to);
+            end += int(to > planes[end + 1]) - int(to <= planes[end]);
+            bins[start].planar += int(start > end);
+            ++bins[start].starts;
+            ++bins[end].ends;
         }
     }
+
+    struct Bin {
+        int starts = 0, ends = 0;  // boxes that start and end in it
+        int planar = 0;            // boxes that lie in its lower face
+    };
 
     const BuildConfig& config_;
     const TriangleRanges& ranges_;
-    std::vector<int> starts_, ends_;                 // by bin: boxes that start and end there
-    std::vector<int> planar_;                        // by bin: boxes that lie in its lower face
+    std::vector<Bin> bins_;
+    std::vector<float> planes_;                      // by bin: its lower face, and one more
+    std::vector<double> shares_;                     // by bin: of the cell's extent below it
     SweepEvents events_;                             // of the unfinished cells of a small one
     int swept_ = 0;                                  // how many these are
     std::array<std::vector<SweepEvent>, 3> sorted_;  // room for one small cell

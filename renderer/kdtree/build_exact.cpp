@@ -39,14 +39,11 @@ class ExactSplitter : public Splitter {
             part_boxes_[side].clear();
             for (auto& events : part_events_[side]) events.clear();
         }
-        std::array<Aabb, 2> halves{cell, cell};
-        halves[0].upper[split.axis] = split.position;
-        halves[1].lower[split.axis] = split.position;
         const std::span<const std::int32_t> numbers = lists.top();
         const std::span<const Aabb> boxes = boxes_.top();
         std::vector<std::uint8_t>& sides = lists.sides();
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            sides[std::size_t(numbers[i])] = std::uint8_t(place(numbers[i], boxes[i], split, halves));
+            sides[std::size_t(numbers[i])] = std::uint8_t(place(numbers[i], boxes[i], split, cell));
 
         lists.divide_by_sides();
         boxes_.replace_by(part_boxes_[1], part_boxes_[0]);
@@ -67,25 +64,28 @@ class ExactSplitter : public Splitter {
         : task_(task), events_(std::move(events)), boxes_(std::move(boxes)) {}
 
     /// The sides of a triangle, which gets its boxes there.
-    unsigned place(std::int32_t number, const Aabb& box, const Split& split, const std::array<Aabb, 2>& halves) {
+    unsigned place(std::int32_t number, const Aabb& box, const Split& split, const Aabb& cell) {
         const AxisRange range{box.lower[split.axis], box.upper[split.axis]};
         const unsigned sides = sides_of(range, split);
         if (sides != (side_below | side_above)) {
             part_boxes_[sides >> 1].push_back(box);
             return sides;
         }
-        for (std::size_t side = 0; side < 2; ++side) add_part(number, box, halves[side], side);
+        const std::array<Aabb, 2> parts =
+            clipped_halves(task_.triangles[std::size_t(number)], cell, split.axis, split.position, box);
+        for (std::size_t side = 0; side < 2; ++side) {
+            part_boxes_[side].push_back(parts[side]);
+            for (int axis = 0; axis < 3; ++axis) add_part_events(number, parts[side], side, axis, split, cell);
+        }
         return sides;
     }
 
-    void add_part(std::int32_t number, const Aabb& box, const Aabb& half, std::size_t side) {
-        const Aabb known{glm::max(box.lower, half.lower), glm::min(box.upper, half.upper)};
-        const Aabb part = clipped_bounds(task_.triangles[std::size_t(number)], half, known);
-        part_boxes_[side].push_back(part);
-        for (int axis = 0; axis < 3; ++axis) {
-            add_events(part_events_[side][std::size_t(axis)], std::uint32_t(number),
-                       {part.lower[axis], part.upper[axis]}, {half.lower[axis], half.upper[axis]});
-        }
+    void add_part_events(std::int32_t number, const Aabb& part, std::size_t side, int axis, const Split& split,
+                         const Aabb& cell) {
+        AxisRange half{cell.lower[axis], cell.upper[axis]};
+        if (axis == split.axis) (side == 0 ? half.upper : half.lower) = split.position;
+        add_events(part_events_[side][std::size_t(axis)], std::uint32_t(number), {part.lower[axis], part.upper[axis]},
+                   half);
     }
 
     const BuildTask& task_;

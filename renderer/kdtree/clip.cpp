@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <tuple>
 
 namespace kd {
 
@@ -30,6 +31,8 @@ struct Polygon {
     std::size_t size = 0;
 
     Polygon() {}  // NOLINT: not {}, which would clear them all
+    Polygon(const Polygon& other) : size(other.size) { std::copy_n(other.vertex.begin(), size, vertex.begin()); }
+    Polygon& operator=(const Polygon&) = delete;
 
     void add(const Point& at, bool is_corner) { vertex[size++] = {at, is_corner}; }
 };
@@ -41,6 +44,13 @@ Point crossing(const Point& inside, const Point& outside, std::size_t axis, doub
     for (std::size_t a = 0; a < 3; ++a) point[a] = inside[a] + t * (outside[a] - inside[a]);
     point[axis] = plane;
     return point;
+}
+
+/// Whether cut() would keep all of it.
+bool is_whole(const Polygon& polygon, std::size_t axis, double plane, double sign) {
+    bool whole = true;
+    for (std::size_t i = 0; i < polygon.size; ++i) whole &= sign * polygon.vertex[i].at[axis] >= sign * plane;
+    return whole;
 }
 
 /// Keeps what lies at sign * coordinate >= sign * plane, in a polygon of its own: copying them would take most of the
@@ -69,51 +79,89 @@ float rounded_down(double value) {
 
 float rounded_up(double value) { return -rounded_down(-value); }
 
+/// The part of one triangle that is left after some cuts.
+class Clipped {
+  public:
+    explicit Clipped(const Triangle& triangle) {
+        for (const Vec3& corner : triangle.corner) left().add(point_of(corner), true);
+        const auto& vertex = left().vertex;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::tie(least_[axis], most_[axis]) =
+                std::minmax({vertex[0].at[axis], vertex[1].at[axis], vertex[2].at[axis]});
+            margin_[axis] = clip_rounding * std::max(std::abs(least_[axis]), std::abs(most_[axis]));
+        }
+    }
+
+    void keep_above(std::size_t axis, double plane) {
+        if (least_[axis] < plane) keep(axis, plane - margin_[axis], 1.0);
+    }
+    void keep_below(std::size_t axis, double plane) {
+        if (most_[axis] > plane) keep(axis, plane + margin_[axis], -1.0);
+    }
+    void keep_inside(const Aabb& cell) {
+        const Point low = point_of(cell.lower), high = point_of(cell.upper);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            keep_above(axis, low[axis]);
+            keep_below(axis, high[axis]);
+        }
+    }
+
+    /// A box around it, cut down to what is known: all of that has a place among the floats.
+    [[nodiscard]] Aabb bounds(const Aabb& known) const {
+        const Polygon& polygon = polygons_[now_];
+        if (polygon.size == 0) return known;
+        const Point known_low = point_of(known.lower), known_high = point_of(known.upper);
+        std::array<float, 3> lower, upper;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double least = std::numeric_limits<double>::infinity(), most = -least;
+            for (std::size_t i = 0; i < polygon.size; ++i) {
+                const auto& [at, is_corner] = polygon.vertex[i];
+                const double reach = is_corner ? 0.0 : margin_[axis];
+                least = std::min(least, at[axis] - reach);
+                most = std::max(most, at[axis] + reach);
+            }
+            least = std::max(least, known_low[axis]);
+            most = std::min(most, known_high[axis]);
+            if (!(least <= most)) return known;
+            lower[axis] = rounded_down(least);
+            upper[axis] = rounded_up(most);
+        }
+        return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
+    }
+
+  private:
+    Polygon& left() { return polygons_[now_]; }
+
+    void keep(std::size_t axis, double plane, double sign) {
+        if (is_whole(left(), axis, plane, sign)) return;
+        cut(left(), polygons_[1 - now_], axis, plane, sign);
+        now_ = 1 - now_;
+    }
+
+    std::array<Polygon, 2> polygons_;  // by turns
+    std::size_t now_ = 0;
+    Point least_, most_;  // of the whole triangle
+    Point margin_;
+};
+
 }  // namespace
 
 Aabb clipped_bounds(const Triangle& triangle, const Aabb& cell, const Aabb& known) {
-    const Point low = point_of(cell.lower), high = point_of(cell.upper);
-    Polygon one, other;  // by turns
-    Polygon* polygon = &one;
-    Polygon* room = &other;
-    for (const Vec3& corner : triangle.corner) polygon->add(point_of(corner), true);
-    Point margin;
-    std::array<bool, 3> outside_below, outside_above;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto [least, most] =
-            std::minmax({one.vertex[0].at[axis], one.vertex[1].at[axis], one.vertex[2].at[axis]});
-        margin[axis] = clip_rounding * std::max(std::abs(least), std::abs(most));
-        outside_below[axis] = least < low[axis];
-        outside_above[axis] = most > high[axis];
-    }
-    const auto keep = [&](std::size_t axis, double plane, double sign) {
-        cut(*polygon, *room, axis, plane, sign);
-        std::swap(polygon, room);
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (outside_below[axis]) keep(axis, low[axis] - margin[axis], 1.0);
-        if (outside_above[axis]) keep(axis, high[axis] + margin[axis], -1.0);
-    }
-    if (polygon->size == 0) return known;
+    Clipped clipped(triangle);
+    clipped.keep_inside(cell);
+    return clipped.bounds(known);
+}
 
-    // Cut down to what is known: all of it has a place among the floats.
-    const Point known_low = point_of(known.lower), known_high = point_of(known.upper);
-    std::array<float, 3> lower, upper;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double least = std::numeric_limits<double>::infinity(), most = -least;
-        for (std::size_t i = 0; i < polygon->size; ++i) {
-            const auto& [at, is_corner] = polygon->vertex[i];
-            const double reach = is_corner ? 0.0 : margin[axis];
-            least = std::min(least, at[axis] - reach);
-            most = std::max(most, at[axis] + reach);
-        }
-        least = std::max(least, known_low[axis]);
-        most = std::min(most, known_high[axis]);
-        if (!(least <= most)) return known;
-        lower[axis] = rounded_down(least);
-        upper[axis] = rounded_up(most);
-    }
-    return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
+std::array<Aabb, 2> clipped_halves(const Triangle& triangle, const Aabb& cell, int axis, float position,
+                                   const Aabb& known) {
+    Aabb known_below = known, known_above = known;
+    known_below.upper[axis] = known_above.lower[axis] = position;
+    Clipped below(triangle);
+    below.keep_inside(cell);
+    Clipped above = below;
+    below.keep_below(std::size_t(axis), double(position));
+    above.keep_above(std::size_t(axis), double(position));
+    return {below.bounds(known_below), above.bounds(known_above)};
 }
 
 }  // namespace kd

@@ -11,4 +11,9 @@ namespace kd {
 /// Sutherland & Hodgman, "Reentrant polygon clipping", 1974, in double.
 [[nodiscard]] Aabb clipped_bounds(const Triangle& triangle, const Aabb& cell, const Aabb& known);
 
+/// The same for both halves, below and above, of a cell that is cut across an axis: its other faces are clipped at once
+/// for both. `known` reaches to both sides of the plane.
+[[nodiscard]] std::array<Aabb, 2> clipped_halves(const Triangle& triangle, const Aabb& cell, int axis, float position,
+                                                 const Aabb& known);
+
 }  // namespace kd

@@ -74,17 +74,18 @@ class Grower {
     /// The whole subtree, its links counted from its first node and reference.
     KdTree grow() {
         while (!pending_.empty()) {
-            const Pending at = next();
-            if (const std::optional<Split> split = choose(at)) {
-                divide(at, *split);
-                const int node = add_node(at, *split);
-                const auto [below, above] = children(at, *split, node);
-                // Last in, first out: the child below becomes the next node.
-                pending_.push_back(above);
-                pending_.push_back(below);
-            } else {
-                make_leaf(at);
+            begin_cell();
+            const std::optional<Split> split = choose(pending_.back());
+            if (!split) {
+                make_leaf();
+                continue;
             }
+            divide(pending_.back(), *split);
+            const int node = add_node(pending_.back());
+            tree_.nodes[std::size_t(node)].flag = split->axis;
+            tree_.nodes[std::size_t(node)].split = split->position;
+            // Last in, first out: the child below becomes the next node.
+            pending_.push_back(take_below(pending_.back(), *split, node));
         }
         progress_.advance(untold_);
         return std::move(tree_);
@@ -96,17 +97,18 @@ class Grower {
         Seed below, above;
     };
     std::optional<Halves> halve() {
-        const Pending at = next();
+        begin_cell();
+        Pending& at = pending_.back();
         const std::optional<Split> split = choose(at);
         if (!split) {
-            make_leaf(at);
+            make_leaf();
             progress_.advance(untold_);
             return std::nullopt;
         }
         divide(at, *split);
-        auto [below, above] = children(at, *split, -1);
+        const Pending below = take_below(at, *split, -1);
         Seed lower = take_top(below);
-        Seed upper = take_top(above);
+        Seed upper = take_top(at);
         clock_.end(&BuildPhases::divide);
         return Halves{*split, std::move(lower), std::move(upper)};
     }
@@ -118,21 +120,9 @@ class Grower {
     [[nodiscard]] const BuildReport& report() const { return report_; }
 
   private:
-    Pending next() {
-        const Pending at = pending_.back();
-        pending_.pop_back();
-        clock_.begin_cell(lists_.top().size());
-        return at;
-    }
+    void begin_cell() { clock_.begin_cell(lists_.top().size()); }
 
     Seed take_top(const Pending& at) { return {at, lists_.take_top(), splitter_->take_top()}; }
-
-    int add_node(const Pending& at, const Split& split) {
-        const int node = add_node(at);
-        tree_.nodes[std::size_t(node)].flag = split.axis;
-        tree_.nodes[std::size_t(node)].split = split.position;
-        return node;
-    }
 
     int add_node(const Pending& at) {
         const int node = int(tree_.nodes.size());
@@ -176,41 +166,43 @@ class Grower {
         clock_.end(&BuildPhases::divide);
     }
 
-    [[nodiscard]] static std::pair<Pending, Pending> children(const Pending& at, const Split& split, int node) {
+    /// Makes the cell that was split the child above, and gives the one below.
+    [[nodiscard]] static Pending take_below(Pending& at, const Split& split, int node) {
+        at.parent = node;
+        at.bad_refines += split.bad;
         Pending below = at;
-        below.parent = node;
-        below.path = at.path.child(false);
-        below.bad_refines = at.bad_refines + split.bad;
-        Pending above = below;
-
         below.is_above = false;
+        below.path = at.path.child(false);
         below.cell.upper[split.axis] = split.position;
         const std::int64_t references = std::int64_t(split.below) + split.above;
         below.allowance = at.allowance * split.below / references;
         below.work = at.work * split.below / double(references);
 
-        above.is_above = true;
-        above.path = at.path.child(true);
-        above.cell.lower[split.axis] = split.position;
-        above.allowance = at.allowance - below.allowance;
-        above.work = at.work - below.work;
-        return {below, above};
+        at.is_above = true;
+        at.path = at.path.child(true);
+        at.cell.lower[split.axis] = split.position;
+        at.allowance -= below.allowance;
+        at.work -= below.work;
+        return below;
     }
 
-    void make_leaf(const Pending& at) {
+    void make_leaf() {
+        const Pending& at = pending_.back();
         TreeNode& leaf = tree_.nodes[std::size_t(add_node(at))];
         leaf.link = std::int32_t(tree_.references.size());
         const bool trim = task_.config.trim_leaves;
         for (const std::int32_t t : lists_.top())
             if (!trim || !surface_avoids(task_.triangles[std::size_t(t)], at.cell)) tree_.references.push_back(t);
         leaf.count = std::int32_t(tree_.references.size()) - leaf.link;
-        // What this leaf leaves over, the next cell may use.
-        if (!pending_.empty()) pending_.back().allowance += at.allowance - leaf.count;
         lists_.drop();
         splitter_->dropped();
         clock_.end(&BuildPhases::leaves);
         untold_ += at.work;
         if (untold_ >= 0.25 * SharedProgress::least_step) progress_.advance(std::exchange(untold_, 0.0));
+        // What this leaf leaves over, the next cell may use.
+        const std::int64_t left_over = at.allowance - leaf.count;
+        pending_.pop_back();
+        if (!pending_.empty()) pending_.back().allowance += left_over;
     }
 
     const BuildTask& task_;

@@ -81,15 +81,9 @@ class ListStack {
         }
         const std::size_t end_above = begin + above + more_above.size();
         items_.resize(end_above + below + more_below.size());
-        // From the back, so that nothing is overwritten that is still to be moved.
-        items = items_.data() + begin;
-        for (std::size_t left = above, more = more_above.size(); more > 0;) {
-            const bool old_is_last = left > 0 && is_before(more_above[more - 1], items[left - 1]);
-            const T last = old_is_last ? items[--left] : more_above[--more];
-            items[left + more] = last;
-        }
-        std::merge(below_.begin(), below_.begin() + std::ptrdiff_t(below), more_below.begin(), more_below.end(),
-                   items_.begin() + std::ptrdiff_t(end_above), is_before);
+        merge_back(items_.data() + begin, above, more_above, is_before);
+        std::copy_n(below_.data(), below, items_.data() + end_above);
+        merge_back(items_.data() + end_above, below, more_below, is_before);
         begins_.push_back(end_above);
     }
 
@@ -102,6 +96,17 @@ class ListStack {
     }
 
   private:
+    /// Merges `more` into `count` items with room behind them: from the back, so that nothing is overwritten that is
+    /// still to be moved, and what lies before the first of `more` stays where it is.
+    template <class Before>
+    static void merge_back(T* items, std::size_t count, std::span<const T> more, Before is_before) {
+        for (std::size_t left = more.size(); left > 0;) {
+            const bool old_is_last = count > 0 && is_before(more[left - 1], items[count - 1]);
+            const T last = old_is_last ? items[--count] : more[--left];
+            items[count + left] = last;
+        }
+    }
+
     std::vector<T> items_;
     std::vector<std::size_t> begins_;
     std::vector<T> below_;  // room for one list

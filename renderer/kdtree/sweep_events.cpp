@@ -66,16 +66,6 @@ void sort_events(std::vector<SweepEvent>& events) {
         std::sort(events.begin(), events.end(), is_before);
 }
 
-void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell) {
-    const auto [lower, upper] = range;
-    if (lower == upper) {
-        events.push_back({lower, triangle << 2 | SweepEvent::planar});
-    } else {
-        if (lower > cell.lower) events.push_back({lower, triangle << 2 | SweepEvent::start});
-        if (upper < cell.upper) events.push_back({upper, triangle << 2 | SweepEvent::end});
-    }
-}
-
 SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop, int threads)
     : SweepEvents(sorted_events(ranges, stop, threads)) {}
 

@@ -26,7 +26,15 @@ using PartEvents = std::array<std::array<std::vector<SweepEvent>, 3>, 2>;
 
 /// Adds the events of a triangle that spans `range` of a cell that spans `cell` on an axis: see SweepEvents for what is
 /// left out.
-void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell);
+inline void add_events(std::vector<SweepEvent>& events, std::uint32_t triangle, AxisRange range, AxisRange cell) {
+    const auto [lower, upper] = range;
+    if (lower == upper) {
+        events.push_back({lower, triangle << 2 | SweepEvent::planar});
+    } else {
+        if (lower > cell.lower) events.push_back({lower, triangle << 2 | SweepEvent::start});
+        if (upper < cell.upper) events.push_back({upper, triangle << 2 | SweepEvent::end});
+    }
+}
 
 /// By ascending position.
 void sort_events(std::vector<SweepEvent>& events);

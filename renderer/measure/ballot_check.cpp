@@ -42,7 +42,9 @@ class Rounds {
     Rounds(const WalkRequest& request, const std::stop_token& stop)
         : request_(request), frame_(request.width, request.height) {
         request_.config.reflection_depth = std::min(request_.config.reflection_depth, 1);
-        request_.config.entry_tile = 0;  // the shader that counts takes rays from a table, each from the root
+        // The shader that counts takes rays from a table, each from the root.
+        request_.config.entry_tile = 0;
+        request_.config.eye_leaf = false;
         const WalkRequest& r = request_;
         CpuTracer(r.scene, r.tree).trace_frame(r.config, r.camera, frame_, r.threads, stop);
         const int count = shadow(r.rays) ? int(r.scene.lights.size()) : 1;

@@ -7,12 +7,14 @@
 #include "pixel_io.glsl"
 #include "ray_io.glsl"
 #include "stepper.glsl"
-#if KD_STEPS == 1
-#include "restart_steps.glsl"
+#if KD_STEPS == 0
+#include "stack_steps.glsl"
 #elif KD_STEPS == 2
 #include "backtrack_steps.glsl"
+#elif KD_STEPS == 5
+#include "ropes_steps.glsl"
 #else
-#include "stack_steps.glsl"
+#include "from_top_steps.glsl"
 #endif
 
 layout(location = 3) out uvec4 out_ballots; // led iterations, led lanes: of each first at interior nodes, then at leaves

@@ -148,6 +148,7 @@ TEST(C06, UnknownNameSaysOptionValueAndKnownValues) {
                        {"--context", "'glx'", "known: auto, osmesa, egl"});
     expect_usage_error(run_kdscope({"bench", "cornell", "--leaf-lists", "both"}),
                        {"--leaf-lists", "'both'", "known: references, duplicated"});
+    expect_usage_error(run_kdscope({"bench", "cornell", "--nodes", "12"}), {"--nodes", "'12'", "known: 16, 8"});
 }
 
 TEST(CliUsage, MistypedNamesAreGuessed) {

@@ -78,6 +78,8 @@ TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
     EXPECT_NE(notes({"--bins", "16"}).find("--builder binned"), std::string::npos);
     EXPECT_EQ(notes({"--bins", "16", "--builder", "binned"}), "");
     EXPECT_NE(notes({"--traversal", "naive", "--leaf-lists", "duplicated"}).find("--leaf-lists"), std::string::npos);
+    EXPECT_NE(notes({"--traversal", "backtrack", "--nodes", "8"}).find("climbs to parents"), std::string::npos);
+    EXPECT_EQ(notes({"--traversal", "ropes", "--nodes", "8"}), "");
     EXPECT_NE(notes({"--reflection-depth", "0", "--min-contribution", "0.1"}).find("--min-contribution"),
               std::string::npos);
 }

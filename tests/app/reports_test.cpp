@@ -44,13 +44,15 @@ TEST(Reports, StoreWhatWasChosenForAllOfTheirRows) {
         return (report.is_array() ? report[0] : report)["measured_on"]["settings"];
     };
     const json bench = settings({"bench", "cornell", "--size", "8x8", "--rounds", "1", "--leaf-lists", "duplicated",
-                                 "--no-shadows", "--eye", "0,1,4"});
+                                 "--nodes", "8", "--no-shadows", "--eye", "0,1,4"});
     EXPECT_EQ(bench["rules"], "as-published");
     EXPECT_EQ(bench["leaf_lists"], "duplicated");
+    EXPECT_EQ(bench["nodes"], 8) << "a number";
     EXPECT_EQ(bench["shadows"], false);
     EXPECT_EQ(bench["camera"]["eye"], (std::vector{0, 1, 4}));
     EXPECT_FALSE(bench.contains("traversal")) << "each row has its own";
-    EXPECT_EQ(settings({"stability", "--case", " t02", "--traversal", "stack"}), json({{"rules", "as-published"}}));
+    EXPECT_EQ(settings({"stability", "--case", " t02", "--traversal", "stack"}),
+              json({{"nodes", 16}, {"rules", "as-published"}}));
     EXPECT_EQ(settings({"stats", "cornell", "--divergence", "--size", "8x8", "--traversal", "stack"})["rules"],
               "as-published");
     // Tables have it as a comment.
@@ -76,9 +78,9 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     const json rows = json::parse(outcome.out);
     ASSERT_EQ(rows.size(), traversals().size());
     const std::set<std::string> agreed{
-        "scene",    "tracer", "traversal",         "builder",   "width",      "height",     "rays",     "ms_median",
-        "ms_p25",   "ms_p75", "mrays_per_s",       "clock",     "renderer",   "build_ms",   "counters", "rounds",
-        "of_first", "passes", "clock_discrepancy", "upload_ms", "compile_ms", "measured_on"};
+        "scene",    "tracer", "traversal",         "builder",   "width",      "height",      "rays",     "ms_median",
+        "ms_p25",   "ms_p75", "mrays_per_s",       "clock",     "renderer",   "build_ms",    "counters", "rounds",
+        "of_first", "passes", "clock_discrepancy", "upload_ms", "compile_ms", "measured_on", "nodes"};
     for (const json& row : rows) {
         std::set<std::string> keys;
         for (const auto& [key, value] : row.items()) keys.insert(key);

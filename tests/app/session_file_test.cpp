@@ -137,6 +137,8 @@ std::vector<BadFile> bad_files() {
         {settings(R"("traversal": "stak")"), {"/settings/traversal", "did you mean stack?"}},
         {settings(R"("shadows": 1)"), {"/settings/shadows: 1 is not true or false"}},
         {settings(R"("short_stack": 0)"), {"/settings/short_stack: 0 is not a whole number from 1 to 8"}},
+        {settings(R"("nodes": 4)"), {"/settings/nodes: 4 is not 16 or 8"}},
+        {settings(R"("nodes": "8")"), {R"(/settings/nodes: "8" is not 16 or 8)"}},
         {settings(R"("forced": "ropes")"), {R"(/settings/forced: "ropes" is not a list)"}},
         {settings(R"("forced": ["ropes", "rope"])"), {"/settings/forced/1", "did you mean ropes?"}},
         {settings(R"("camera": null)"), {"/settings/camera: null is not an object"}},

@@ -12,9 +12,9 @@ holds "$(value visits.rho) > 0 && $(value visits.rho) < 1" || fail "rho is $(val
 holds "$(value visits.interior) < $(value visits.predicted_interior)" || fail "nothing stops the rays"
 
 # A click on a point selects its node; the root is the point of most predicted visits.
-last=$(places | grep -o 'visits/interior node [0-9]*' | sort -k3n -t' ' | tail -1)
-click_on "PREDICTED/$last"
-wait_for '^window.node=$'
+last=$(state | grep -oE '^places\.PREDICTED/visits/interior node [0-9]+' | grep -oE '[0-9]+$' | sort -n | tail -1)
+click_on "PREDICTED/visits/interior node $last"
+wait_for '^selected.node=0$'
 
 # Other rays are counted anew.
 choose "PREDICTED/rays of nodes" shadow

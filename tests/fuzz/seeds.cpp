@@ -124,6 +124,7 @@ Seeds session_seeds() {
     tuned.build.empty_bonus = 0.3f;
     tuned.trace.traversal = Traversal::short_stack;
     tuned.trace.rules = Rules::first_edition;
+    tuned.trace.nodes = NodeEncoding::packed;
     tuned.trace.forced = FeatureSet(Feature::ropes).with(Feature::normals);
     Session seen;
     seen.view.show_map = true;

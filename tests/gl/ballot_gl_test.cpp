@@ -95,11 +95,19 @@ class BallotGl : public ContextTest {
 };
 KD_FOR_ALL_CONTEXTS(BallotGl);
 
-TEST_P(BallotGl, EveryTraversalThatHasALoopOnEveryScene) {
+/// Every walk of the tree, short stacks that run empty and ropes that are not optimised among them.
+std::vector<TraceConfig> every_walk() {
+    std::vector<TraceConfig> walks{{.traversal = Traversal::short_stack, .short_stack = 1},
+                                   {.traversal = Traversal::ropes, .optimised_ropes = false}};
+    for (const TraversalInfo& traversal : traversals())
+        if (traversal.id != Traversal::naive) walks.push_back({.traversal = traversal.id});
+    return walks;
+}
+
+TEST_P(BallotGl, EveryTraversalOnEveryScene) {
     for (const char* name : {"ball:1000", "rooms", "scatter:300"}) {
         load(name);
-        for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
-            expect_exact({.traversal = traversal}, Pass::rt_prim, 64, 48);
+        for (const TraceConfig& walk : every_walk()) expect_exact(walk, Pass::rt_prim, 64, 48);
     }
     expect_exact({.nodes = NodeEncoding::packed}, Pass::rt_prim, 64, 48);
 }
@@ -107,8 +115,7 @@ TEST_P(BallotGl, EveryTraversalThatHasALoopOnEveryScene) {
 TEST_P(BallotGl, EveryKindOfRay) {
     load("cornell");
     for (const Pass rays : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl})
-        for (const Traversal traversal : {Traversal::stack, Traversal::restart, Traversal::backtrack})
-            expect_exact({.traversal = traversal}, rays, 64, 64);
+        for (const TraceConfig& walk : every_walk()) expect_exact(walk, rays, 64, 64);
 }
 
 TEST_P(BallotGl, WhatIsNotTheSameWalkIsFound) {

@@ -206,10 +206,28 @@ std::vector<ContextKind> software_contexts() {
     return kinds;
 }
 
-std::size_t walks_over_packed_nodes() {
-    return std::size_t(std::ranges::count_if(traversals(), [](const TraversalInfo& walk) {
-        return walk.id != Traversal::naive && !walk.has(walk_parents);
-    }));
+/// What rows were traced through and on, each with the bytes of the nodes that it has met.
+using NodesMet = std::set<std::pair<std::string, int>>;
+
+NodesMet nodes_met(const VerifyReport& report) {
+    NodesMet met;
+    for (const VerifyRow& row : report.rows)
+        for (const std::string& name : {row.builder, row.traversal, row.tracer + row.context})
+            met.insert({name, row.node_bytes});
+    return met;
+}
+
+/// Each builder, traversal and machine meets both kinds of nodes, but for walks that need parents.
+NodesMet nodes_to_meet(const std::vector<ContextKind>& contexts) {
+    NodesMet wanted{{"-", 0}, {"naive", 0}, {"cpu-", 16}, {"cpu-", 8}};
+    for (const int bytes : {16, 8}) {
+        for (const Builder& builder : builders()) wanted.emplace(builder.name, bytes);
+        for (const TraversalInfo& t : traversals())
+            if (t.id != Traversal::naive && (bytes == 16 || !t.has(walk_parents))) wanted.emplace(t.name, bytes);
+    }
+    for (const ContextKind kind : contexts)
+        for (const int bytes : {16, 8, 0}) wanted.emplace("gl-fragment" + std::string(name_of(kind)), bytes);
+    return wanted;
 }
 
 TEST(Verify, CpuAndGlAgreeWithBruteForce) {
@@ -220,11 +238,12 @@ TEST(Verify, CpuAndGlAgreeWithBruteForce) {
                                    test::scene_of(test::stress_sphere(16, 9))}) {
         const VerifyReport report = verify(scene, {}, config);
         EXPECT_TRUE(report.passed()) << failures(report);
+        EXPECT_EQ(nodes_met(report), nodes_to_meet(config.contexts));
         for (const ContextKind kind : config.contexts) {
             // Naive once, the others for each builder, the stack with both layouts of the leaf lists, and a diagonal of
             // builders and traversals with the other nodes.
             const auto rows = std::ranges::count(report.rows, name_of(kind), &VerifyRow::context);
-            const std::size_t diagonal = std::max(builders().size(), walks_over_packed_nodes());
+            const std::size_t diagonal = std::max(builders().size(), traversals().size() - 2);
             EXPECT_EQ(rows, std::ptrdiff_t(1 + builders().size() * traversals().size() + diagonal)) << name_of(kind);
         }
         for (const VerifyRow& row : report.rows) {
@@ -235,42 +254,15 @@ TEST(Verify, CpuAndGlAgreeWithBruteForce) {
     }
 }
 
-/// What a row was traced through, as far as nodes matter.
-using NodesSeen = std::set<std::pair<std::string, int>>;
-
-TEST(Verify, EveryBuilderTraversalAndMachineSeesBothKindsOfNodes) {
+TEST(Verify, NodesThatAreAskedForAlone) {
     VerifyConfig config = small_config();
-    config.width = config.height = 8;
-    config.adversarial_rays = 50;
-    config.contexts = software_contexts();
-    const FlatScene scene = test::scene_of(test::random_soup(50, 0.2f, 4));
-    const auto check = [&] {
-        const VerifyReport report = verify(scene, {}, config);
-        EXPECT_TRUE(report.passed()) << failures(report);
-        NodesSeen seen;
-        for (const VerifyRow& row : report.rows)
-            for (const std::string& name : {row.builder, row.traversal, row.tracer + row.context})
-                seen.insert({name, row.node_bytes});
-        return seen;
-    };
-    NodesSeen wanted{{"-", 0}, {"naive", 0}, {"cpu-", 16}, {"cpu-", 8}};
-    for (const int bytes : {16, 8}) {
-        for (const Builder& builder : builders()) wanted.emplace(builder.name, bytes);
-        for (const TraversalInfo& t : traversals())
-            if (t.id != Traversal::naive && (bytes == 16 || !t.has(walk_parents))) wanted.emplace(t.name, bytes);
-        for (const ContextKind kind : config.contexts)
-            wanted.emplace("gl-fragment" + std::string(name_of(kind)), bytes);
-    }
-    for (const ContextKind kind : config.contexts) wanted.emplace("gl-fragment" + std::string(name_of(kind)), 0);
-    if (config.contexts.empty()) GTEST_SKIP() << "NO CONTEXT: neither OSMesa nor EGL in software";
-    EXPECT_EQ(check(), wanted);
-    // Those asked for alone.
-    config.contexts.clear();
     config.builders = {"paper"};
     config.traversals = {"stack", "backtrack"};
     config.nodes = NodeEncoding::packed;
-    EXPECT_EQ(check(),
-              (NodesSeen{{"paper", 8}, {"stack", 8}, {"cpu-", 8}, {"paper", 16}, {"backtrack", 16}, {"cpu-", 16}}));
+    const VerifyReport report = verify(test::scene_of(test::random_soup(50, 0.2f, 4)), {}, config);
+    EXPECT_TRUE(report.passed()) << failures(report);
+    EXPECT_EQ(nodes_met(report),
+              (NodesMet{{"paper", 8}, {"stack", 8}, {"cpu-", 8}, {"paper", 16}, {"backtrack", 16}, {"cpu-", 16}}));
 }
 
 TEST(Verify, OneTriangleAndNoTriangle) {

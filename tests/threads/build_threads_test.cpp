@@ -1,0 +1,101 @@
+// Trees are built on many threads: the same tree for any number of them, and progress and stopping work.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "renderer/kdtree/build.h"
+#include "renderer/kdtree/grow.h"
+#include "tests/core/tree_checks.h"
+#include "tests/support/scenes.h"
+
+namespace kd {
+namespace {
+
+/// Enough triangles for several rounds and parts.
+const std::vector<Triangle>& many_triangles() {
+    static const std::vector<Triangle> soup = test::random_soup(int(3 * part_size), 0.05f, 21);
+    return soup;
+}
+
+struct Built {
+    KdTree tree;
+    BuildReport report;
+};
+
+Built build(const BuildConfig& config, int threads) {
+    Built built;
+    built.tree = build_tree(many_triangles(), config, &built.report, {}, {}, threads);
+    return built;
+}
+
+void expect_same(const BuildConfig& config) {
+    SCOPED_TRACE(config.builder);
+    const Built one = build(config, 1);
+    EXPECT_EQ(test::faults(one.tree, many_triangles()), "");
+    for (const int threads : {2, 3, 8}) {
+        const Built many = build(config, threads);
+        EXPECT_TRUE(many.tree == one.tree) << threads << " threads";
+        EXPECT_EQ(many.report.depth_limit_hit, one.report.depth_limit_hit);
+        EXPECT_EQ(many.report.reference_cap_hit, one.report.reference_cap_hit);
+        EXPECT_EQ(many.report.idle_hand_splits, one.report.idle_hand_splits);
+    }
+}
+
+TEST(BuildThreads, MakeTheSameTree) {
+    for (const Builder& builder : builders()) expect_same({.builder = std::string(builder.name)});
+}
+
+TEST(BuildThreads, MakeTheSameTreeWithinTightLimits) {
+    for (const Builder& builder : builders()) {
+        BuildConfig config{.builder = std::string(builder.name), .bad_refines = 2, .reference_cap = 1.5f};
+        expect_same(config);
+        EXPECT_TRUE(build(config, 2).report.reference_cap_hit) << builder.name;
+        EXPECT_LE(double(build(config, 2).tree.references.size()), 1.5 * double(many_triangles().size()));
+    }
+}
+
+TEST(BuildThreads, PutPlanesByHandInPartsAndAboveThem) {
+    const BuildConfig config{.by_hand = {{"", 0, 0.1f}, {"ab", 1, 0.2f}, {"bbbbbb", 2, 0.3f}, {"a", 0, 9.0f}}};
+    expect_same(config);
+    const Built built = build(config, 2);
+    EXPECT_EQ(built.report.hand_splits, 4);
+    EXPECT_GE(built.report.idle_hand_splits, 1) << "one lies outside";
+    EXPECT_EQ(built.tree.nodes[0].split, 0.1f);
+}
+
+TEST(BuildThreads, TellProgressOneAtATime) {
+    std::atomic<int> inside = 0;
+    float last = 0.0f;
+    const auto progress = [&](float done) {
+        EXPECT_EQ(inside.fetch_add(1), 0);
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, 1.0f);
+        last = done;
+        inside.fetch_sub(1);
+    };
+    (void)build_tree(many_triangles(), {.builder = "exact"}, nullptr, progress, {}, 4);
+    EXPECT_EQ(last, 1.0f);
+}
+
+TEST(BuildThreads, StopHalfWayWithASoundTree) {
+    for (const Builder& builder : builders()) {
+        std::stop_source stop;
+        const auto progress = [&](float done) {
+            if (done > 0.4f) stop.request_stop();
+        };
+        const BuildConfig config{.builder = std::string(builder.name)};
+        const KdTree tree = build_tree(many_triangles(), config, nullptr, progress, stop.get_token(), 4);
+        EXPECT_EQ(test::faults(tree, many_triangles()), "") << builder.name;
+        EXPECT_LT(tree.nodes.size(), build(config, 4).tree.nodes.size()) << builder.name;
+    }
+}
+
+TEST(BuildThreads, EveryPhaseIsTimed) {
+    const BuildReport report = build({.builder = "exact"}, 1).report;
+    for (const double phase : {report.phases.prepare, report.phases.choose, report.phases.divide, report.phases.leaves})
+        EXPECT_GT(phase, 0.0);
+}
+
+}  // namespace
+}  // namespace kd
