@@ -152,8 +152,10 @@ small_splits() {
     open ball:9000
     press_all shift+s
     click_on "SPLITS/root"
-    wait_for '^splits.costs.triangles='
-    drag_slider "SPLITS/across x" 0.6 0.5
+    click_on "SPLITS/below"
+    click_on "SPLITS/above"
+    wait_for '^splits.costs.path=ba$'
+    drag_slider "SPLITS/across x" 0.3 0.43
     wait_for '^splits.without.interior='
     wait_for '^splits.now.interior='
     hover 600 20
@@ -163,11 +165,12 @@ small_splits() {
 small_nodes() {
     open ball:9000
     press_all i
-    hover 330 200
+    hover 270 190
     press p
     wait_for '^selected.leaf=true$'
     choose "NODES/colours" visits
     wait_for '^nodes.coloured=true$' 120
+    click_on "NODES/y"
     click_on "NODES/hit"
     hover 600 20
     shoot nodes

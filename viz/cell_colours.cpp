@@ -64,10 +64,25 @@ ScalarMap labels_of(CellColour colour, const NodeVisits* visits) {
     return map;
 }
 
+/// Down to the least that was visited. A percentile would cut off the few nodes at the root, which most rays visit.
+HeatmapConfig from_end_to_end(HeatmapConfig heat, const ScalarMap& map) {
+    float least = HUGE_VALF, most = 0;
+    for (const float v : map.values.pixels)
+        if (std::isfinite(v) && v > 0) {
+            least = std::min(least, v);
+            most = std::max(most, v);
+        }
+    if (most == 0) return heat;
+    heat.range_mode = RangeMode::fixed;
+    heat.range_min = least;
+    heat.range_max = most;
+    return heat;
+}
+
 /// Logarithmic; ratios by as much below 1 as above.
 HeatmapConfig heat_of(CellColour colour, const std::string& colormap, const ScalarMap& map) {
     HeatmapConfig heat{.colormap = colormap, .logarithmic = true};
-    if (colour != CellColour::ratio) return heat;
+    if (colour != CellColour::ratio) return from_end_to_end(heat, map);
     if (!get_colormap(colormap).diverging) heat.colormap = "blue-grey-orange";
     std::vector<float> factors;  // away from 1, either way
     for (const float v : map.values.pixels)

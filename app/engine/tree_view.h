@@ -29,9 +29,9 @@ struct TreeViewWish {
 
 /// What the colours of nodes say.
 struct NodeColours {
-    std::vector<Rgba8> of;  // by node; empty where nobody has counted yet
-    ValueRange range;       // values at the two ends of the colours
-    std::string colormap;
+    std::vector<Rgba8> of;    // by node; empty where nobody has counted yet
+    ValueRange range;         // values at the two ends of the colours
+    std::vector<Rgba8> ramp;  // the colours from end to end
 };
 
 /// `counted` may be null: colours that need it are none then.

@@ -40,18 +40,16 @@ void choose_one(const char* label, Choice& chosen, const std::vector<widgets::Op
 
 /// The colours from end to end with the values there.
 void draw_scale(const NodeColours& colours, CellColour colour) {
-    const Colormap* map = find_colormap(colours.colormap);
-    if (!map) return;
     const std::string low = number_text(double(colours.range.min)), high = number_text(double(colours.range.max));
     const float width = theme::px(72), height = ImGui::GetTextLineHeight() - theme::px(4);
     ImGui::TextUnformatted(low.c_str());
     ImGui::SameLine(0, theme::px(4));
     const ImVec2 corner{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y + theme::px(4)};
-    constexpr int pieces = 36;
-    for (int i = 0; i < pieces; ++i) {
-        const Rgba8 c = (*map)((float(i) + 0.5f) / pieces);
-        const float x0 = corner.x + width * float(i) / pieces, x1 = corner.x + width * float(i + 1) / pieces;
-        ImGui::GetWindowDrawList()->AddRectFilled({x0, corner.y}, {x1, corner.y + height},
+    const float step = width / float(colours.ramp.size());
+    for (std::size_t i = 0; i < colours.ramp.size(); ++i) {
+        const Rgba8 c = colours.ramp[i];
+        ImGui::GetWindowDrawList()->AddRectFilled({corner.x + step * float(i), corner.y},
+                                                  {corner.x + step * float(i + 1), corner.y + height},
                                                   IM_COL32(c.r, c.g, c.b, 255));
     }
     ImGui::Dummy({width, ImGui::GetTextLineHeight()});

@@ -209,8 +209,8 @@ void read_out(const Plot& plot, const std::vector<SplitCandidate>& curve, const 
 
 ImU32 choice_colour(std::size_t choice) {
     // In an order that begins with the bright ones, and without the purple of what is selected.
-    constexpr std::array<Ink, 6> inks{Ink::reference, Ink::cpu, Ink::gpu, Ink::red, Ink::green, Ink::grey};
-    return chart::look_of(inks[choice % inks.size()]).colour;
+    constexpr std::array colours{theme::text, theme::cpu, theme::gpu, theme::error, theme::passed, theme::hit};
+    return colours[choice % colours.size()];
 }
 
 CostScale cost_scale(const CellState& cell) {
@@ -253,6 +253,8 @@ CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
     }
     const float leaf = std::round(plot.y(chart.cell.costs->leaf_cost));
     chart::draw_stroke(list, {plot.low.x, leaf}, {plot.high.x, leaf}, chart::look_of(Ink::cpu), Stroke::dashed);
+    const ImVec2 word = ImGui::CalcTextSize("leaf");
+    list.AddText({plot.high.x - word.x - theme::px(2), leaf - word.y}, theme::cpu, "leaf");
     draw_curve(list, plot);
     const std::vector<Tag> tags = tags_of(plot);
     const Mouse mouse = read_mouse(plot, curve, tags);
