@@ -118,7 +118,7 @@ std::vector<std::string> builders_of(const Session& session, bool every) {
 
 int run_predicted(const CommonOptions& common, const DivergenceOptions& options, bool every_builder, bool json,
                   CommandContext& context) {
-    if (common.session.trace.traversal == Traversal::naive)
+    if (common.session_for(common.scenes.front()).trace.traversal == Traversal::naive)
         throw InputError("--traversal naive: the loop over all triangles visits no nodes; choose another");
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
     const MeasuredOn on = measured_on(common.session, {"scene", "tracer"});

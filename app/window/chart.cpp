@@ -57,9 +57,13 @@ void draw_whiskers(ImDrawList& list, const Plane& plane, const ChartPoint& point
     if (const auto& w = point.x_interval) draw_whisker(list, {plane.x(w->low), at.y}, {plane.x(w->high), at.y}, colour);
 }
 
+/// So many marks of one curve are drawn at half their size, to cover less of each other.
+constexpr std::size_t many_marks = 200;
+
 void draw_curve(ImDrawList& list, const Plane& plane, std::size_t index) {
     const ChartCurve& curve = plane.chart.curves[index];
-    const Look look = look_of(curve.ink);
+    Look look = look_of(curve.ink);
+    if (curve.points.size() >= many_marks) look.radius /= 2;
     const bool bars = drawn_as_bars(plane.chart, curve);
     std::vector<ImVec2> at;
     for (const ChartPoint& point : curve.points) at.push_back(plane.at(index, point));
