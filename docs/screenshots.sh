@@ -130,6 +130,7 @@ small_predicted() {
     press_all shift+p
     wait_for '^visits.outdated=false$' 120
     press_all h s
+    click_on "VIEW/split lines"
     choose "VIEW/split colours" ratio
     wait_for '^cells.counted=[1-9]' 120
     hover 600 20
@@ -244,7 +245,7 @@ panels_of_time() {
 }
 
 if [[ $SCREEN == 1280x720 ]]; then
-    all="small_tour small_stability small_needs small_paper small_divergence small_error small_splits small_nodes small_oracle"
+    all="small_tour small_stability small_needs small_paper small_divergence small_error small_splits small_nodes small_predicted small_oracle"
 else
     all="panels_of_scene panels_of_tree panels_of_time"
 fi

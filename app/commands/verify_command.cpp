@@ -33,6 +33,7 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     config.width = session.width;
     config.height = session.height;
     config.rules = session.trace.rules;
+    config.walk = session.trace;
     config.nodes = options.nodes;
     config.seed = session.seed;
     config.threads = session.threads;

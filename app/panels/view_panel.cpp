@@ -131,8 +131,10 @@ void draw_colours(Edit& edit) {
     ImGui::EndDisabled();
 }
 
-void draw_split_lines(OverlayConfig& overlay) {
+void draw_split_lines(Edit& edit) {
     if (!widgets::fold("split lines", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
+    OverlayConfig& overlay = edit.session.view.overlay;
+    draw_cell_colours(edit);
     widgets::toggle("planes", overlay.planes, "Outlines of the split planes.");
     widgets::toggle("cells", overlay.boxes, "Outlines of the cells at that depth, and of leaves above it.");
     widgets::toggle("hide behind", overlay.hidden_line,
@@ -148,11 +150,10 @@ void draw_view_panel(const EngineState& state, Edit& edit) {
     draw_map(state, edit);
     draw_range(state, edit);
     draw_split_depth(view.overlay);
-    draw_cell_colours(edit);
     const MapInfo* map = find_map(view.map.map);
     if (map && map->over_tiles()) draw_tiles(edit);
     draw_colours(edit);
-    draw_split_lines(view.overlay);
+    draw_split_lines(edit);
 }
 
 }  // namespace kd

@@ -23,8 +23,11 @@ struct Mode {
     LeafLists lists;
     Rules rules = Rules::robust;
     NodeEncoding nodes = NodeEncoding::float4;
+    TraceConfig walk = {};  // what else is chosen about the walk
     [[nodiscard]] TraceConfig config() const {
         TraceConfig trace;
+        trace.short_stack = walk.short_stack;
+        trace.optimised_ropes = walk.optimised_ropes;
         trace.traversal = traversal;
         trace.leaf_lists = lists;
         trace.rules = rules;
@@ -74,14 +77,14 @@ class Verification {
             if (traversal.id == Traversal::naive)
                 naive_ = true;
             else if (config_.rules == Rules::robust || traversal.has_published_form())
-                modes_.push_back(
-                    {traversal.id, LeafLists::references, config_.rules, config_.nodes.value_or(NodeEncoding::float4)});
+                modes_.push_back({traversal.id, LeafLists::references, config_.rules,
+                                  config_.nodes.value_or(NodeEncoding::float4), config_.walk});
         }
         for (Mode& mode : modes_) mode.nodes = nodes_in_force(mode.config());
         // One traversal shows what the other layout of the leaves does.
         if (!modes_.empty())
-            modes_.insert(modes_.begin() + 1,
-                          {modes_.front().traversal, LeafLists::duplicated, config_.rules, modes_.front().nodes});
+            modes_.insert(modes_.begin() + 1, {modes_.front().traversal, LeafLists::duplicated, config_.rules,
+                                               modes_.front().nodes, config_.walk});
     }
 
     /// What is traced in the tree of a builder, by its place among them. The other nodes make no other walk, so they

@@ -24,6 +24,7 @@ struct VerifyConfig {
     std::vector<std::string> builders;    // empty = all
     std::vector<std::string> traversals;  // empty = all
     Rules rules = Rules::robust;          // published ones: of the traversals that have such a form
+    TraceConfig walk;                     // its short stack and its kind of ropes
     /// Of nodes; none: 16 bytes for every traversal in every builder's tree, and 8 so that each of both has seen them.
     std::optional<NodeEncoding> nodes;
     bool cpu = true;                    // check the CPU tracer

@@ -24,6 +24,7 @@ wait_for '^visits.kind=shadow$'
 # Cells take their colours from the counts; the legend says of what.
 press s
 wait_for '^settings.view.overlay.shown=true$'
+click_on "VIEW/split lines"
 choose "VIEW/split colours" ratio
 wait_for '^settings.view.overlay.colour=ratio$'
 wait_for '^cells.title=cells: visits over predicted$'
