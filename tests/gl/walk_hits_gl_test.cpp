@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/procedural.h"
