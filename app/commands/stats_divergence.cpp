@@ -198,18 +198,26 @@ WalkRequest WalkedScene::request(Traversal traversal, Pass rays) const {
             .threads = session.threads};
 }
 
+std::string heading_of(const WalkedScene& walked) {
+    return fmt::format("{}: {}; {}x{}\n", walked.session.scene, contents_text(walked.scene), walked.session.width,
+                       walked.session.height);
+}
+
+void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts) {
+    if (!options.csv.empty()) write_file(options.csv, csv);
+    for (const auto& [path, svg] : charts) write_file(path, svg);
+}
+
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
     const std::vector<TileShape> shapes = shapes_of(options);
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
     const MeasuredOn on = measured_on(common.session, {"scene", "tracer", "traversal"});
     std::string csv = csv_comments(on.lines()) + divergence_csv_head();
     Json all = Json::array();
-    std::vector<std::pair<std::string, std::string>> charts;
+    ChartTexts charts;
     for (const std::string& name : common.scenes) {
         const WalkedScene walked = open_walked(common, name, context);
-        if (!json)
-            context.out << fmt::format("{}{}: {}; {}x{}\n", name == common.scenes.front() ? "" : "\n", name,
-                                       contents_text(walked.scene), walked.session.width, walked.session.height);
+        if (!json) context.out << (name == common.scenes.front() ? "" : "\n") << heading_of(walked);
         Json reports = Json::array();
         for (const Traversal traversal : wanted_traversals(common, false))
             for (const Pass rays : rays_of(walked.scene, walked.session.trace, options)) {
@@ -232,8 +240,7 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                        {"measured_on", kd::json_of(on)}});
     }
     context.out << (json ? json_text(all) : explanation);
-    if (!options.csv.empty()) write_file(options.csv, csv);
-    for (const auto& [path, svg] : charts) write_file(path, svg);
+    write_files(options, csv, charts);
     return exit_ok;
 }
 

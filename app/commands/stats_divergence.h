@@ -40,6 +40,14 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& options);
 /// The path of chart `number`, from 0: "width.svg", "width-2.svg", ... Names of charts must not clash.
 [[nodiscard]] std::string numbered(const std::string& path, std::size_t number);
 
+/// "ball:9000: 8998 triangles, ...; 512x512", with the end of the line.
+[[nodiscard]] std::string heading_of(const WalkedScene& walked);
+
+/// Charts as SVG, each with the path that it goes to.
+using ChartTexts = std::vector<std::pair<std::string, std::string>>;
+/// The table that was asked for as CSV, and the charts.
+void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts);
+
 /// Efficiency against width, per scene, traversal and kind of ray.
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);
 

@@ -7,6 +7,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
+#include "app/commands/stats_trees.h"
 #include "app/report/chart_files.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
@@ -107,13 +108,6 @@ constexpr const char* explanation =
     "reads "
     "the table.\n";
 
-std::vector<std::string> builders_of(const Session& session, bool every) {
-    if (!every) return {session.build.builder};
-    std::vector<std::string> names;
-    for (const Builder& builder : builders()) names.emplace_back(builder.name);
-    return names;
-}
-
 }  // namespace
 
 int run_predicted(const CommonOptions& common, const DivergenceOptions& options, bool every_builder, bool json,
@@ -124,13 +118,11 @@ int run_predicted(const CommonOptions& common, const DivergenceOptions& options,
     const MeasuredOn on = measured_on(common.session, {"scene", "tracer"});
     std::string csv = csv_comments(on.lines()) + visits_csv_head();
     Json all = Json::array();
-    std::vector<std::pair<std::string, std::string>> charts;
+    ChartTexts charts;
     for (const std::string& name : common.scenes) {
         WalkedScene walked = open_walked(common, name, context);
         const Session& s = walked.session;
-        if (!json)
-            context.out << fmt::format("{}{}: {}; {}x{}\n", name == common.scenes.front() ? "" : "\n", name,
-                                       contents_text(walked.scene), s.width, s.height);
+        if (!json) context.out << (name == common.scenes.front() ? "" : "\n") << heading_of(walked);
         std::vector<Row> rows;
         for (const std::string& builder : builders_of(s, every_builder)) {
             if (s.build.builder != builder) {
@@ -161,8 +153,7 @@ int run_predicted(const CommonOptions& common, const DivergenceOptions& options,
                        {"measured_on", kd::json_of(on)}});
     }
     context.out << (json ? json_text(all) : explanation);
-    if (!options.csv.empty()) write_file(options.csv, csv);
-    for (const auto& [path, svg] : charts) write_file(path, svg);
+    write_files(options, csv, charts);
     return exit_ok;
 }
 

@@ -197,12 +197,6 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         if (!entry.gl) out << fmt::format("GL memory with {} is not known: {}\n", entry.builder, entry.gl_refused);
 }
 
-std::vector<std::string> builder_names() {
-    std::vector<std::string> names;
-    for (const Builder& builder : builders()) names.emplace_back(builder.name);
-    return names;
-}
-
 /// A scene and the rays that its picture takes, the same for every tree.
 struct MeasuredScene {
     Session session;
@@ -233,6 +227,13 @@ Entry measure(MeasuredScene& of, const std::string& builder, GlProbe& probe, Pro
 
 }  // namespace
 
+std::vector<std::string> builders_of(const Session& session, bool every) {
+    if (!every) return {session.build.builder};
+    std::vector<std::string> names;
+    for (const Builder& builder : builders()) names.emplace_back(builder.name);
+    return names;
+}
+
 int run_trees(const CommonOptions& options, bool every_builder, bool as_json, CommandContext& context) {
     GlProbe probe(options.context.value_or(ContextKind::automatic));
     if (!probe.context && options.context) throw ContextError(probe.refused);
@@ -245,7 +246,7 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
         const PinholeCamera camera = pinhole(scene.camera, session.width, session.height);
         MeasuredScene of{session, std::move(scene), camera, {}};
         std::vector<Entry> entries;
-        for (const std::string& builder : every_builder ? builder_names() : std::vector{session.build.builder})
+        for (const std::string& builder : builders_of(session, every_builder))
             entries.push_back(measure(of, builder, probe, progress, context));
         if (!as_json) {
             if (name != options.scenes.front()) context.out << '\n';

@@ -16,7 +16,6 @@ namespace kd {
 namespace {
 
 constexpr const char* none = "–";
-constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// "root, below, above" or, of a long path, "root, 12 steps, above".
 std::string path_text(const std::string& path) {

@@ -35,7 +35,6 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const Camera& camera);
 [[nodiscard]] Json json_of(const BuildConfig& build);
 [[nodiscard]] Json json_of(const FlatScene& scene);
-[[nodiscard]] Json json_of(const BuildPhases& phases);
 [[nodiscard]] Json json_of(const TreeStats& stats);
 [[nodiscard]] Json json_of(const BuildPhases& phases);
 /// Rays and every counter of the table.

@@ -16,8 +16,6 @@ namespace kd {
 
 namespace {
 
-constexpr const char* axis_names[] = {"x", "y", "z"};
-
 /// Where the plot lies on the screen.
 struct Plot {
     const CostChart& chart;

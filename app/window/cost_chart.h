@@ -8,6 +8,8 @@
 
 namespace kd {
 
+inline constexpr const char* axis_names[] = {"x", "y", "z"};
+
 /// Costs at the lower and upper edge of the charts of one cell, which share them; in traversal steps.
 struct CostScale {
     double low = 0, high = 1;
