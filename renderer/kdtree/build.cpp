@@ -112,11 +112,17 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     told = BuildReport{};
     const BuildTask task{triangles, config, told, progress, std::move(stop), threads};
     const TriangleRanges ranges(triangles);
-    std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
     told.phases.prepare = seconds_since(begin);
-    KdTree tree = grow_tree(task, ranges, std::move(splitter));
+    const auto grow = [&](Refusal refusal) {
+        const auto sorting = Clock::now();
+        std::unique_ptr<Splitter> splitter = builder.splitter(task, ranges);
+        told.phases.prepare += seconds_since(sorting);
+        return grow_tree(task, ranges, std::move(splitter), refusal);
+    };
+    std::optional<KdTree> tree = grow(Refusal::whole_tree);
+    if (!tree) tree = grow(Refusal::each_cell);
     told.seconds = seconds_since(begin);
-    return tree;
+    return *std::move(tree);
 }
 
 }  // namespace kd

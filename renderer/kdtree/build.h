@@ -38,9 +38,9 @@ struct BuildConfig {
     int max_depth = 0;
     /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).
     int bad_refines = 0;
-    /// The tree never holds more references than this many per triangle. Children share their parent's allowance in
-    /// proportion to their triangles, and what a leaf does not use passes to the next cell of the same part (see
-    /// grow.h), so that nothing starves; a split that needs more is not made, told in BuildReport::reference_cap_hit.
+    /// The tree never holds more references than this many per triangle. Where it would, children share their parent's
+    /// allowance in proportion to their triangles (see grow.h), so that nothing starves; a split that needs more is not
+    /// made, told in BuildReport::reference_cap_hit.
     float reference_cap = 64.0f;
     /// Planes that the builder with bins looks at: one between every two of so many bins on each axis.
     int bins = 32;

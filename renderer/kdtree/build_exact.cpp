@@ -55,12 +55,12 @@ class ExactSplitter : public Splitter {
         boxes_.drop();
     }
 
-    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
-        return std::unique_ptr<Splitter>(new ExactSplitter(task_, events_.take_top(), boxes_.take_top()));
+    [[nodiscard]] std::unique_ptr<Splitter> top_alone() const override {
+        return std::unique_ptr<Splitter>(new ExactSplitter(task_, events_.top_alone(), boxes_.top_alone()));
     }
 
   private:
-    ExactSplitter(const BuildTask& task, SweepEvents events, std::vector<Aabb> boxes)
+    ExactSplitter(const BuildTask& task, SweepEvents events, ListStack<Aabb> boxes)
         : task_(task), events_(std::move(events)), boxes_(std::move(boxes)) {}
 
     /// The sides of a triangle, which gets its boxes there.

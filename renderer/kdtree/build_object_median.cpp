@@ -27,7 +27,9 @@ class MedianSplitter : public Splitter {
         return std::nullopt;
     }
 
-    [[nodiscard]] std::unique_ptr<Splitter> take_top() override { return std::make_unique<MedianSplitter>(*this); }
+    [[nodiscard]] std::unique_ptr<Splitter> top_alone() const override {
+        return std::make_unique<MedianSplitter>(*this);
+    }
 
   private:
     const BuildConfig& config_;

@@ -31,8 +31,8 @@ class PaperSplitter : public Splitter {
 
     void dropped() override { events_.drop(); }
 
-    [[nodiscard]] std::unique_ptr<Splitter> take_top() override {
-        return std::unique_ptr<Splitter>(new PaperSplitter(config_, order_, events_.take_top()));
+    [[nodiscard]] std::unique_ptr<Splitter> top_alone() const override {
+        return std::unique_ptr<Splitter>(new PaperSplitter(config_, order_, events_.top_alone()));
     }
 
   private:

@@ -18,7 +18,9 @@ class MiddleSplitter : public Splitter {
         return judged_split(config_, cell, lists, axis, 0.5f * cell.lower[axis] + 0.5f * cell.upper[axis]);
     }
 
-    [[nodiscard]] std::unique_ptr<Splitter> take_top() override { return std::make_unique<MiddleSplitter>(*this); }
+    [[nodiscard]] std::unique_ptr<Splitter> top_alone() const override {
+        return std::make_unique<MiddleSplitter>(*this);
+    }
 
   private:
     const BuildConfig& config_;

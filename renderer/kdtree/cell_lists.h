@@ -61,8 +61,8 @@ class CellLists {
 
     void drop() { lists_.drop(); }
 
-    /// That of the top cell, which leaves these.
-    [[nodiscard]] CellLists take_top() { return {*ranges_, lists_.take_top()}; }
+    /// That of the top cell alone.
+    [[nodiscard]] CellLists top_alone() const { return {*ranges_, lists_.top_alone()}; }
 
     /// Room for side bits by triangle number, as the last divide() left them; only those of the divided cell mean
     /// something.
@@ -72,8 +72,8 @@ class CellLists {
     }
 
   private:
-    CellLists(const TriangleRanges& ranges, std::vector<std::int32_t> root)
-        : ranges_(&ranges), lists_(std::move(root)) {}
+    CellLists(const TriangleRanges& ranges, ListStack<std::int32_t> lists)
+        : ranges_(&ranges), lists_(std::move(lists)) {}
 
     const TriangleRanges* ranges_;
     ListStack<std::int32_t> lists_;

@@ -30,11 +30,10 @@ class ListStack {
         begins_.pop_back();
     }
 
-    /// The top list, which leaves the stack.
-    [[nodiscard]] std::vector<T> take_top() {
-        std::vector<T> top(items_.begin() + std::ptrdiff_t(begins_.back()), items_.end());
-        drop();
-        return top;
+    /// A stack of the top list alone.
+    [[nodiscard]] ListStack top_alone() const {
+        const std::span<const T> list = top();
+        return ListStack(std::vector<T>(list.begin(), list.end()));
     }
 
     /// Puts each entry where `sides_of(entry)` says, a union of side bits.

@@ -29,8 +29,8 @@ class Splitter {
     /// The top cell became a leaf.
     virtual void dropped() {}
 
-    /// One for the top cell alone, which leaves this one.
-    [[nodiscard]] virtual std::unique_ptr<Splitter> take_top() = 0;
+    /// One for the top cell alone.
+    [[nodiscard]] virtual std::unique_ptr<Splitter> top_alone() const = 0;
 };
 
 /// Builder::splitter of a kind that is made from the task, the triangles' ranges and `more`.

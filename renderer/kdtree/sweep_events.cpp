@@ -66,18 +66,17 @@ void sort_events(std::vector<SweepEvent>& events) {
         std::sort(events.begin(), events.end(), is_before);
 }
 
-SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop, int threads)
-    : SweepEvents(sorted_events(ranges, stop, threads)) {}
-
-SweepEvents::SweepEvents(std::array<std::vector<SweepEvent>, 3> root)
-    : lists_{ListStack(std::move(root[0])), ListStack(std::move(root[1])), ListStack(std::move(root[2]))} {}
+SweepEvents::SweepEvents(const TriangleRanges& ranges, const std::stop_token& stop, int threads) {
+    std::array<std::vector<SweepEvent>, 3> events = sorted_events(ranges, stop, threads);
+    for (std::size_t axis = 0; axis < 3; ++axis) lists_[axis] = ListStack(std::move(events[axis]));
+}
 
 void SweepEvents::push(const std::array<std::vector<SweepEvent>, 3>& events) {
     for (std::size_t axis = 0; axis < 3; ++axis) lists_[axis].push(events[axis]);
 }
 
-SweepEvents SweepEvents::take_top() {
-    return SweepEvents({lists_[0].take_top(), lists_[1].take_top(), lists_[2].take_top()});
+SweepEvents SweepEvents::top_alone() const {
+    return SweepEvents({lists_[0].top_alone(), lists_[1].top_alone(), lists_[2].top_alone()});
 }
 
 void SweepEvents::divide(const Split& split, const std::vector<std::uint8_t>& sides) {

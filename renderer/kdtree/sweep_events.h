@@ -67,11 +67,11 @@ class SweepEvents {
 
     void drop();
 
-    /// Those of the top cell, which leave these.
-    [[nodiscard]] SweepEvents take_top();
+    /// Those of the top cell alone.
+    [[nodiscard]] SweepEvents top_alone() const;
 
   private:
-    explicit SweepEvents(std::array<std::vector<SweepEvent>, 3> root);
+    explicit SweepEvents(std::array<ListStack<SweepEvent>, 3> lists) : lists_(std::move(lists)) {}
 
     std::array<ListStack<SweepEvent>, 3> lists_;
 };

@@ -30,12 +30,13 @@ wait_for '^settings.build.bins=4$'
 holds "$(value tree.nodes) > 1.2 * $nodes" || fail "$(value tree.nodes) nodes with 4 bins, $nodes with 32"
 stop_window
 
-start_window scatter:300000 --builder spatial-median
+# A build that takes some times as long as finding its button and pressing it.
+start_window scatter:1000000 --builder paper-cycle --threads 1
 nodes=$(value tree.nodes)
 press b
 wait_for '^building=true$'
 click_on "status/cancel"
 wait_for '^building=false$'
-[[ $(value settings.build.builder) == spatial-median ]] || fail "the build went on: $(value settings.build.builder)"
+[[ $(value settings.build.builder) == paper-cycle ]] || fail "the build went on: $(value settings.build.builder)"
 [[ $(value tree.nodes) == "$nodes" ]] || fail "the tree before is gone"
 echo "passed"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "renderer/kdtree/build.h"
 #include "renderer/kdtree/grow.h"
@@ -52,6 +53,22 @@ TEST(BuildThreads, MakeTheSameTreeWithinTightLimits) {
         expect_same(config);
         EXPECT_TRUE(build(config, 2).report.reference_cap_hit) << builder.name;
         EXPECT_LE(double(build(config, 2).tree.references.size()), 1.5 * double(many_triangles().size()));
+    }
+}
+
+TEST(BuildThreads, RefuseNothingToATreeThatKeepsTheCapAsAWhole) {
+    for (const Builder& builder : builders()) {
+        SCOPED_TRACE(builder.name);
+        BuildConfig config{.builder = std::string(builder.name)};
+        const Built free = build(config, 2);
+        ASSERT_FALSE(free.report.reference_cap_hit);
+        const float per_triangle = float(double(free.tree.references.size()) / double(many_triangles().size()));
+        config.reference_cap = std::nextafter(per_triangle, 2.0f * per_triangle);
+        EXPECT_TRUE(build(config, 2).tree == free.tree) << "not one reference too many";
+        EXPECT_FALSE(build(config, 2).report.reference_cap_hit);
+        config.reference_cap = std::nextafter(per_triangle, 0.0f);
+        EXPECT_TRUE(build(config, 2).report.reference_cap_hit) << "one too many";
+        expect_same(config);
     }
 }
 
