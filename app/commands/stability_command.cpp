@@ -43,6 +43,7 @@ StabilityConfig config_for(const StabilityOptions& options) {
     config.rules = options.session.trace.rules;
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
     config.nodes = options.nodes.value_or(NodeEncoding::float4);
+    if (options.builder) config.builder = *options.builder;
     config.threads = options.session.threads;
     config.seed = options.session.seed;
     const WantedMachines machines = wanted_machines(options);
@@ -124,7 +125,7 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
     }
     if (options.list) {
         for (const char* option :
-             {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules", "--nodes"})
+             {"--case", "--long", "--json", "--tracer", "--context", "--traversal", "--rules", "--nodes", "--builder"})
             refuse_idle(app, {{option, false, "--list only says what each case is; leave one of them out"}});
         print_list(context.out);
         return exit_ok;
@@ -136,7 +137,10 @@ int run(const CLI::App& app, const StabilityOptions& options, CommandContext& co
         throw InputError("--case: nothing of it runs with this --tracer and --traversal; leave one of them out");
     if (options.json) {
         MeasuredOn on = measured_on(options.session.threads, options.session.seed);
-        on.settings = Json{{"rules", info(report.rules).name}, {"nodes", bytes_of(config_for(options).nodes)}}.dump();
+        const StabilityConfig config = config_for(options);
+        on.settings =
+            Json{{"rules", info(report.rules).name}, {"nodes", bytes_of(config.nodes)}, {"builder", config.builder}}
+                .dump();
         context.out << json_text(with_machine(stability_json(report), on));
     } else
         print_summary(context.out, report);
@@ -159,6 +163,9 @@ CommandBody declare(CLI::App& app) {
     add_machine_options(app, *options);
     add_tracing_options(app, *options, ShownDefaults{"all", "all", "all", "osmesa and egl"});
     add_nodes_option(app, *options)->excludes(sweep);
+    add_choice<std::string>(app, "--builder", options->builder, choices::builders(),
+                            "How trees are built, where a case does not say [paper]")
+        ->excludes(sweep);
     app.get_option("--rules")->excludes(sweep);  // a sweep shows all of them
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
@@ -176,6 +183,7 @@ Command stability_command() {
         "Examples:\n"
         "  kdscope stability\n"
         "  kdscope stability --case T15,T16 --long\n"
+        "  kdscope stability --builder exact --nodes 8\n"
         "  kdscope stability --rules as-published     what the published rules lose; exits 1\n"
         "  kdscope stability --sweep T16              what is lost, the closer rays aim at a vertex\n"
         "  kdscope stability --sweep T25 --csv widths.csv\n",

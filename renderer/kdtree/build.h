@@ -68,6 +68,12 @@ struct BuildPhases {
         divide += other.divide;
         leaves += other.leaves;
     }
+    void scale(double factor) {
+        prepare *= factor;
+        choose *= factor;
+        divide *= factor;
+        leaves *= factor;
+    }
 };
 
 /// What happened during a build.

@@ -87,14 +87,13 @@ class BinnedSplitter : public Splitter {
         // made by true counts.
         const SplitCost cost(config_, cell, best.axis);
         const auto [below, planar, above] = lists.tally(best.axis, best.position);
-        Split split{.axis = best.axis, .position = best.position, .below = below + planar, .above = above};
-        if (planar > 0 && cost(best.position, below, above + planar) < cost(best.position, below + planar, above)) {
-            split.planar_below = false;
-            split.below = below;
-            split.above = above + planar;
-        }
-        split.bad = !(cost(best.position, split.below, split.above) < leaf_cost(config_, int(lists.top().size())));
-        return split;
+        const PlanarSide side = cheaper_side(cost, best.position, below, planar, above);
+        return Split{.axis = best.axis,
+                     .position = best.position,
+                     .planar_below = side.is_below,
+                     .below = side.is_below ? below + planar : below,
+                     .above = side.is_below ? above : above + planar,
+                     .bad = !(side.cost < leaf_cost(config_, int(lists.top().size())))};
     }
 
     /// Puts the axis' cheapest plane between two bins in the place of a dearer one.
@@ -109,9 +108,7 @@ class BinnedSplitter : public Splitter {
             above -= bins_[k - 1].ends;
             const float position = planes_[k];
             if (!(position > cell.lower[axis] && position < cell.upper[axis])) continue;
-            const int planar = bins_[k].planar;
-            double cost = cost_of(position, below + planar, above);
-            if (planar > 0) cost = std::min(cost, cost_of(position, below, above + planar));
+            const double cost = cheaper_side(cost_of, position, below, bins_[k].planar, above).cost;
             if (cost < best.cost) best = {axis, position, cost};
         }
     }

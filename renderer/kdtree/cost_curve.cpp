@@ -56,7 +56,7 @@ class CellParts {
         const SplitCost cost_of(config_, cell_, axis);
         sweep_planes(extent.lower, extent.upper, int(boxes_.size()), events,
                      [&](float position, int below, int planar, int above) {
-                         candidates.push_back(cheaper_side(cost_of, position, below, planar, above));
+                         candidates.push_back(candidate(cost_of, position, below, planar, above));
                      });
         return candidates;
     }
@@ -69,16 +69,15 @@ class CellParts {
             above += reaches_above;
             planar += !reaches_below && !reaches_above;
         }
-        return cheaper_side(SplitCost(config_, cell_, axis), position, below, planar, above);
+        return candidate(SplitCost(config_, cell_, axis), position, below, planar, above);
     }
 
   private:
-    [[nodiscard]] static SplitCandidate cheaper_side(const SplitCost& cost_of, float position, int below, int planar,
-                                                     int above) {
-        const double cost_below = cost_of(position, below + planar, above);
-        const double cost_above = cost_of(position, below, above + planar);
-        if (cost_above < cost_below) return {position, below, above + planar, cost_above};
-        return {position, below + planar, above, cost_below};
+    [[nodiscard]] static SplitCandidate candidate(const SplitCost& cost_of, float position, int below, int planar,
+                                                  int above) {
+        const auto [planar_below, cost] = cheaper_side(cost_of, position, below, planar, above);
+        (planar_below ? below : above) += planar;
+        return {position, below, above, cost};
     }
 
     const BuildConfig& config_;

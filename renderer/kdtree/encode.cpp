@@ -90,10 +90,7 @@ std::vector<PackedNode> encode_packed(const KdTree& tree) {
     std::vector<PackedNode> packed(tree.nodes.size());
     for (std::size_t i = 0; i < packed.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
-        if (node.is_leaf())
-            packed[i].count = node.count;
-        else
-            packed[i].split = node.split;
+        packed[i].value = node.is_leaf() ? std::uint32_t(node.count) : std::bit_cast<std::uint32_t>(node.split);
         packed[i].kind_and_link = std::uint32_t(node.flag) | in_30_bits(i, node.link) << 2;
     }
     return packed;

@@ -2,6 +2,7 @@
 // bytes per node after "Physically Based Rendering" (Pharr & Humphreys, 2004, section 4.4).
 #pragma once
 
+#include <bit>
 #include <vector>
 
 #include "renderer/kdtree/tree.h"
@@ -20,13 +21,8 @@ inline constexpr std::int64_t float_index_limit = std::int64_t(1) << 24;
 /// No parent, and the kind of node in two bits that the link has to spare. The link stands in one place for both kinds,
 /// so that reading a node takes no choice. As a texel: two words, in this order.
 struct PackedNode {
-    union {
-        float split;         // interior: plane position
-        std::int32_t count;  // leaf: number of references
-    };
-    std::uint32_t kind_and_link;  // 2 bits: split axis or KD_LEAF; 30 bits: child above, or first reference
-
-    PackedNode() : count(0), kind_and_link(KD_LEAF) {}
+    std::uint32_t value = 0;                // interior: the bits of the plane's position; leaf: number of references
+    std::uint32_t kind_and_link = KD_LEAF;  // 2 bits: split axis or KD_LEAF; 30 bits: child above, or first reference
 };
 static_assert(sizeof(PackedNode) == 8);
 
@@ -39,10 +35,11 @@ static_assert(sizeof(PackedNode) == 8);
 /// Largest link that 30 bits hold.
 inline constexpr std::int64_t packed_link_limit = (std::int64_t(1) << 30) - 1;
 
-/// A node of either kind as walks read it; a packed one has no parent to tell.
+/// A node of either kind as walks read it, in which only one of split and count means something; a packed one has no
+/// parent to tell.
 KD_FN KdNode node_as_read(const TreeNode& n) { return {n.flag, n.split, n.count, n.link, n.parent}; }
 KD_FN KdNode node_as_read(const PackedNode& n) {
-    return {int(n.kind_and_link & 3), n.split, n.count, int(n.kind_and_link >> 2), -1};
+    return {int(n.kind_and_link & 3), std::bit_cast<float>(n.value), int(n.value), int(n.kind_and_link >> 2), -1};
 }
 
 }  // namespace kd

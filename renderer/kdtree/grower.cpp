@@ -33,6 +33,7 @@ KdTree Grower::grow() {
         pending_.push_back(take_below(pending_.back(), *split, node));
     }
     progress_.advance(untold_);
+    clock_.finish();
     return std::move(tree_);
 }
 
@@ -48,6 +49,7 @@ std::optional<Grower::Halves> Grower::halve() {
     splitter_->dropped();
     Seed upper = top_alone(at);
     clock_.end(&BuildPhases::divide);
+    clock_.finish();
     return Halves{*split, std::move(lower), std::move(upper)};
 }
 

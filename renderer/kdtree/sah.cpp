@@ -30,14 +30,12 @@ namespace {
 void improve(PricedSplit& best, const BuildConfig& config, const Aabb& cell, int axis, int triangles,
              std::span<const SweepEvent> events) {
     const SplitCost cost_of(config, cell, axis);
-    const auto consider = [&](float position, int below, int above, bool planar_below) {
-        const double cost = cost_of(position, below, above);
-        if (cost < best.cost) best = {{axis, position, planar_below, below, above, false}, cost};
-    };
     sweep_planes(cell.lower[axis], cell.upper[axis], triangles, events,
                  [&](float position, int below, int planar, int above) {
-                     consider(position, below + planar, above, true);
-                     if (planar > 0) consider(position, below, above + planar, false);
+                     const auto [planar_below, cost] = cheaper_side(cost_of, position, below, planar, above);
+                     if (!(cost < best.cost)) return;
+                     (planar_below ? below : above) += planar;
+                     best = {{axis, position, planar_below, below, above, false}, cost};
                  });
 }
 

@@ -37,6 +37,19 @@ class SplitCost {
     double traversal_, intersection_, intersection_empty_;
 };
 
+/// Where triangles that lie in a plane cost less, and what the split costs then: below of equals.
+struct PlanarSide {
+    bool is_below = true;
+    double cost = 0.0;
+};
+[[nodiscard]] inline PlanarSide cheaper_side(const SplitCost& cost_of, float position, int below, int planar,
+                                             int above) {
+    const double cost_below = cost_of(position, below + planar, above);
+    if (planar == 0) return {true, cost_below};
+    const double cost_above = cost_of(position, below, above + planar);
+    return cost_above < cost_below ? PlanarSide{false, cost_above} : PlanarSide{true, cost_below};
+}
+
 /// The split of the top cell at a plane that something else has chosen, bad where it costs no less than a leaf; nothing
 /// where the plane does not lie inside the cell.
 [[nodiscard]] std::optional<Split> judged_split(const BuildConfig& config, const Aabb& cell, const CellLists& lists,

@@ -81,11 +81,11 @@ TEST(Decode, KeepsAnySplitForValidationToJudge) {
     EXPECT_EQ(tree.nodes[0].split, -1e30f);
 }
 
-using Words = std::vector<std::pair<std::int32_t, std::uint32_t>>;
+using Words = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 Words words(const std::vector<PackedNode>& nodes) {
     Words found;
-    for (const PackedNode& node : nodes) found.emplace_back(node.count, node.kind_and_link);
+    for (const PackedNode& node : nodes) found.emplace_back(node.value, node.kind_and_link);
     return found;
 }
 

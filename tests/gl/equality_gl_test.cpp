@@ -126,12 +126,15 @@ class EqualityGl : public testing::TestWithParam<Case> {
         config.trace.leaf_lists = GetParam().lists;
     }
 
-    void compare(const FlatScene& scene, const BuildConfig& build) {
+    void compare(const FlatScene& scene, const BuildConfig& build) { compare(scene, build, GetParam().nodes); }
+
+    /// The CPU over nodes of 16 bytes, OpenGL over those asked for.
+    void compare(const FlatScene& scene, const BuildConfig& build, NodeEncoding nodes) {
         const KdTree tree = build_tree(scene.triangles, build);
         const PinholeCamera camera = pinhole(scene.camera, width, height);
         Frame expected(width, height);
         CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
-        config.trace.nodes = GetParam().nodes;
+        config.trace.nodes = nodes;
         GlTracer tracer(*context);
         tracer.upload(scene, tree);
         (void)tracer.draw(config, camera, width, height, whole(width, height));
@@ -196,9 +199,11 @@ TEST_P(EqualityOfPassesGl, ChoicesOfTheWalks) {
                                         << " entries, tiles of " << choice.entry_tile);
         EXPECT_NE(primary_visits(scene, choice), primary_visits(scene, {.traversal = choice.traversal}))
             << "a choice that changes nothing";
-        config.trace = choice;
-        config.trace.leaf_lists = GetParam().lists;
-        compare(scene, {});
+        for (const NodeEncoding nodes : {NodeEncoding::float4, NodeEncoding::packed}) {
+            config.trace = choice;
+            config.trace.leaf_lists = GetParam().lists;
+            compare(scene, {}, nodes);
+        }
     }
 }
 

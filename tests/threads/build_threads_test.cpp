@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "renderer/kdtree/build.h"
 #include "renderer/kdtree/grow.h"
+#include "renderer/kdtree/phases.h"
 #include "tests/core/tree_checks.h"
 #include "tests/support/scenes.h"
 
@@ -108,10 +111,36 @@ TEST(BuildThreads, StopHalfWayWithASoundTree) {
     }
 }
 
-TEST(BuildThreads, EveryPhaseIsTimed) {
-    const BuildReport report = build({.builder = "exact"}, 1).report;
-    for (const double phase : {report.phases.prepare, report.phases.choose, report.phases.divide, report.phases.leaves})
-        EXPECT_GT(phase, 0.0);
+TEST(BuildThreads, EveryPhaseIsTimedAndTogetherTheyFitIntoTheBuild) {
+    for (const int threads : {1, 2}) {
+        const BuildReport report = build({.builder = "exact"}, threads).report;
+        const BuildPhases& p = report.phases;
+        for (const double phase : {p.prepare, p.choose, p.divide, p.leaves}) EXPECT_GT(phase, 0.0);
+        EXPECT_LE(p.sum(), threads * report.seconds);
+    }
+}
+
+TEST(PhaseClock, AnInterruptedSampleCountsForNothing) {
+    BuildPhases phases;
+    PhaseClock clock(phases);
+    for (int cell = 0; cell < 16; ++cell) {  // one of them is timed
+        clock.begin_cell(1);
+        if (cell == 15) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        clock.end(&BuildPhases::choose);
+    }
+    EXPECT_EQ(phases.choose, 0.0);
+}
+
+TEST(PhaseClock, PhasesTakeNoMoreThanTheThreadsTime) {
+    BuildPhases phases;
+    PhaseClock clock(phases);
+    clock.begin_cell(1 << 20);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    clock.end(&BuildPhases::choose);
+    EXPECT_GE(phases.choose, 0.05);
+    clock.finish();
+    EXPECT_GT(phases.choose, 0.0);
+    EXPECT_LT(phases.choose, 0.05) << "asleep, a thread takes no time of a processor";
 }
 
 }  // namespace

@@ -46,24 +46,25 @@ StabilityRow& CaseRun::row(std::string_view tracer, std::string_view context, st
     return made;
 }
 
-Subject CaseRun::subject(std::vector<Triangle> triangles, const BuildConfig& build) {
+Subject CaseRun::subject(std::vector<Triangle> triangles, const std::optional<BuildConfig>& build) {
     return subject(bare_scene(std::move(triangles)), build);
 }
 
-Subject CaseRun::subject(FlatScene scene, const BuildConfig& build) {
+Subject CaseRun::subject(FlatScene scene, const std::optional<BuildConfig>& build) {
     check_stop();
     Subject made;
     made.scene = std::move(scene);
-    made.tree = build_tree(made.scene.triangles, build, &made.built, {}, stop_);
+    const BuildConfig config = build.value_or(BuildConfig{.builder = config_.builder});
+    made.tree = build_tree(made.scene.triangles, config, &made.built, {}, stop_);
     check_stop();
     for (const Violation& violation : validate(made.tree, made.scene.triangles, 1))
         record("tree", 1, 1, fmt::format("bad tree: node {}: {}", violation.node, violation.message));
     return made;
 }
 
-std::vector<const TraversalInfo*> CaseRun::wanted_traversals(const RayMachine& machine) const {
-    // OpenGL runs the CPU's text, as the whole suite of the others shows. All of them take nine minutes.
-    const bool all = config_.long_run || machine.tracer() == "cpu";
+std::vector<const TraversalInfo*> CaseRun::wanted_traversals(const RayMachine& machine, Walks walks) const {
+    // OpenGL runs the CPU's text, as T62 shows for every walk. All of them in all cases take nine minutes.
+    const bool all = walks == Walks::all || config_.long_run || machine.tracer() == "cpu";
     std::vector<const TraversalInfo*> found;
     for (const TraversalInfo& traversal : traversals()) {
         const auto& wanted = config_.traversals;
@@ -88,12 +89,12 @@ void CaseRun::use_whole(RayMachine& machine, const TraceConfig& trace, Stability
 }
 
 /// How many parts a case has shows only when it ends, so each takes half of what is left, in equal steps.
-void CaseRun::each(const Subject& subject, const Use& use, Refusal refusal) {
+void CaseRun::each(const Subject& subject, const Use& use, Refusal refusal, Walks walks) {
     std::size_t parts = 0;
-    for (const auto& machine : machines_) parts += wanted_traversals(*machine).size();
+    for (const auto& machine : machines_) parts += wanted_traversals(*machine, walks).size();
     const float step = 0.5f * (1 - done_) / float(std::max<std::size_t>(parts, 1));
     for (const auto& machine : machines_) {
-        const std::vector<const TraversalInfo*> wanted = wanted_traversals(*machine);
+        const std::vector<const TraversalInfo*> wanted = wanted_traversals(*machine, walks);
         try {
             machine->load(subject.scene, subject.tree);
         } catch (const InputError& error) {

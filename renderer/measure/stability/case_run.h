@@ -54,9 +54,10 @@ class CaseRun {
     /// Throws Stopped.
     void check_stop() const;
 
-    /// A grey scene of these triangles and its tree. A tree that validate() objects to is recorded as a failure.
-    [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const BuildConfig& build = {});
-    [[nodiscard]] virtual Subject subject(FlatScene scene, const BuildConfig& build = {});
+    /// A grey scene of these triangles and its tree, by the usual constants and the builder asked for where `build`
+    /// does not say. A tree that validate() objects to is recorded as a failure.
+    [[nodiscard]] Subject subject(std::vector<Triangle> triangles, const std::optional<BuildConfig>& build = {});
+    [[nodiscard]] virtual Subject subject(FlatScene scene, const std::optional<BuildConfig>& build = {});
 
     /// What the loop over all triangles answers in single precision. Triangles whose boxes a ray does not come near are
     /// passed over; some of the rays go to the loop itself, and any difference is recorded as a failure. Throws
@@ -72,8 +73,11 @@ class CaseRun {
     /// does not cover.
     /// A machine that the subject does not fit on is passed over and told in a row of its own if it `may_refuse`.
     enum class Refusal { is_an_error, may_refuse };
+    /// OpenGL walks by those that the paper prints unless all are asked for, by --long too.
+    enum class Walks { usual, all };
     using Use = std::function<void(RayMachine&, const TraceConfig&, StabilityRow&)>;
-    void each(const Subject& subject, const Use& use, Refusal refusal = Refusal::is_an_error);
+    void each(const Subject& subject, const Use& use, Refusal refusal = Refusal::is_an_error,
+              Walks walks = Walks::usual);
 
     /// Judges the nearest hit of one of the rays, by its place among them; fail() tells the row what is wrong.
     using JudgeAnswer = std::function<void(std::size_t ray, const Hit& hit, StabilityRow& row)>;
@@ -105,7 +109,7 @@ class CaseRun {
   private:
     void use_whole(RayMachine& machine, const TraceConfig& trace, StabilityRow& r, const Use& use) const;
     /// The traversals that each() walks by.
-    [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals(const RayMachine& machine) const;
+    [[nodiscard]] std::vector<const TraversalInfo*> wanted_traversals(const RayMachine& machine, Walks walks) const;
     /// What the rays of check() are held against. `exact` is empty where the case does not ask for it.
     struct Reference {
         const FlatScene& scene;

@@ -88,7 +88,7 @@ constexpr int naive_counts[] = {gl_step_budget, gl_step_budget + 1, 65'534, 65'5
 /// The naive traversal of `count` triangles on each machine: as on the CPU, or refused with a reason.
 void run_naive(CaseRun& run, int count) {
     Random& random = run.random();
-    const Subject soup = run.subject(random_soup(count, 0.02f, random), {.leaf_size = 64, .max_depth = 8});
+    const Subject soup = run.subject(random_soup(count, 0.02f, random), BuildConfig{.leaf_size = 64, .max_depth = 8});
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < run.rays(10'000, std::size(naive_counts)); ++i)
         rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));

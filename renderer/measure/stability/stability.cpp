@@ -91,7 +91,8 @@ StabilityReport run_stability(const StabilityConfig& config, const StabilityProg
     const auto machines = open_machines(config, report.notes);
     if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)
         report.notes.emplace_back(
-            "on OpenGL stack, restart and backtrack only; the others with --long, or where --traversal names one");
+            "on OpenGL stack, restart and backtrack only, but for T62, which has all; the others with --long, or where "
+            "--traversal names one");
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto tell = [&](float done, const std::string& doing) {
             const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/gl/context_kinds.h"
+#include "renderer/kdtree/build.h"
 #include "renderer/trace/rules.h"
 #include "renderer/trace/trace_config.h"
 
@@ -39,7 +40,8 @@ struct StabilityConfig {
     bool long_run = false;                // all rays of a case instead of a tenth
     std::vector<std::string> traversals;  // empty = all but naive
     Rules rules = Rules::robust;
-    NodeEncoding nodes = NodeEncoding::float4;  // of the tracers, where a case does not try both
+    NodeEncoding nodes = NodeEncoding::float4;    // of the tracers, where a case does not try both
+    std::string builder = BuildConfig{}.builder;  // of the trees, where a case does not name one
     bool cpu = true;
     std::vector<ContextKind> contexts;
     int threads = 0;

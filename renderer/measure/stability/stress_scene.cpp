@@ -16,7 +16,7 @@ namespace {
 class FirstScene : public CaseRun {
   public:
     using CaseRun::CaseRun;
-    Subject subject(FlatScene scene, const BuildConfig&) override {
+    Subject subject(FlatScene scene, const std::optional<BuildConfig>&) override {
         found = std::move(scene);
         throw Stopped{};
     }
