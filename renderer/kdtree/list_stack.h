@@ -39,24 +39,11 @@ class ListStack {
     /// Puts each entry where `sides_of(entry)` says, a union of side bits.
     template <class SidesOf>
     void divide(SidesOf sides_of) {
-        const std::size_t begin = begins_.back();
-        const std::size_t size = items_.size() - begin;
-        if (below_.size() < size) below_.resize(std::max(size, 2 * below_.size()));
-        T* const items = items_.data() + begin;
-        std::size_t below = 0;
-        std::size_t above = 0;
-        // Written without branches: every entry is stored on both sides, and the counts decide which stores last.
-        for (std::size_t i = 0; i < size; ++i) {
-            const T item = items[i];
-            const unsigned sides = sides_of(item);
-            below_[below] = item;
-            items[above] = item;
-            below += sides & side_below;
-            above += sides >> 1;
-        }
-        items_.resize(begin + above);
-        items_.insert(items_.end(), below_.begin(), below_.begin() + std::ptrdiff_t(below));
-        begins_.push_back(begin + above);
+        const Dealt count = deal(sides_of);
+        const std::size_t end_above = begins_.back() + count.above;
+        items_.resize(end_above);
+        items_.insert(items_.end(), below_.begin(), below_.begin() + std::ptrdiff_t(count.below));
+        begins_.push_back(end_above);
     }
 
     /// As divide() of an ordered list, but entries of both sides (or none) are left out, and each side gets more, which
@@ -65,24 +52,15 @@ class ListStack {
     void divide_and_merge(SidesOf sides_of, std::span<const T> more_below, std::span<const T> more_above,
                           Before is_before) {
         const std::size_t begin = begins_.back();
-        const std::size_t size = items_.size() - begin;
-        if (below_.size() < size) below_.resize(std::max(size, 2 * below_.size()));
-        T* items = items_.data() + begin;
-        std::size_t below = 0;
-        std::size_t above = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            const T item = items[i];
+        const Dealt count = deal([&](const T& item) {
             const unsigned sides = sides_of(item);
-            below_[below] = item;
-            items[above] = item;
-            below += sides == side_below;
-            above += sides == side_above;
-        }
-        const std::size_t end_above = begin + above + more_above.size();
-        items_.resize(end_above + below + more_below.size());
-        merge_back(items_.data() + begin, above, more_above, is_before);
-        std::copy_n(below_.data(), below, items_.data() + end_above);
-        merge_back(items_.data() + end_above, below, more_below, is_before);
+            return sides == (side_below | side_above) ? 0u : sides;
+        });
+        const std::size_t end_above = begin + count.above + more_above.size();
+        items_.resize(end_above + count.below + more_below.size());
+        merge_back(items_.data() + begin, count.above, more_above, is_before);
+        std::copy_n(below_.data(), count.below, items_.data() + end_above);
+        merge_back(items_.data() + end_above, count.below, more_below, is_before);
         begins_.push_back(end_above);
     }
 
@@ -95,6 +73,29 @@ class ListStack {
     }
 
   private:
+    struct Dealt {
+        std::size_t below, above;
+    };
+    /// Entries of the top list that `sides_of` puts above stand first in it afterwards, those below in below_.
+    template <class SidesOf>
+    Dealt deal(SidesOf sides_of) {
+        const std::size_t begin = begins_.back();
+        const std::size_t size = items_.size() - begin;
+        if (below_.size() < size) below_.resize(std::max(size, 2 * below_.size()));
+        T* const items = items_.data() + begin;
+        Dealt count{0, 0};
+        // Written without branches: every entry is stored on both sides, and the counts decide which stores last.
+        for (std::size_t i = 0; i < size; ++i) {
+            const T item = items[i];
+            const unsigned sides = sides_of(item);
+            below_[count.below] = item;
+            items[count.above] = item;
+            count.below += sides & side_below;
+            count.above += sides >> 1;
+        }
+        return count;
+    }
+
     /// Merges `more` into `count` items with room behind them: from the back, so that nothing is overwritten that is
     /// still to be moved, and what lies before the first of `more` stays where it is.
     template <class Before>
