@@ -10,6 +10,8 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/gl/context.h"
+#include "renderer/measure/stability/case_run.h"
+#include "renderer/scene/stress_shapes.h"
 #include "renderer/trace/traversal.h"
 
 namespace kd {
@@ -80,6 +82,37 @@ TEST(Stability, OpenGlIsHeldToTheSame) {
     EXPECT_EQ(report.rows[1].tracer, "gl-fragment");
     EXPECT_EQ(report.rows[1].context, "osmesa");
     EXPECT_EQ(report.rows[1].n, report.rows[0].n);
+}
+
+TEST(Stability, EveryWalkIsHeldToTheCpuOnOpenGl) {
+    StabilityConfig config;
+    config.cases = {"T62"};
+    config.contexts = {ContextKind::osmesa};
+    try {
+        (void)Context::create(ContextKind::osmesa);
+    } catch (const ContextError& error) {
+        GTEST_SKIP() << "NO CONTEXT: " << error.what();
+    }
+    const StabilityReport report = run_stability(config);
+    EXPECT_TRUE(report.passed());
+    std::map<std::string, std::int64_t> rays;  // by tracer
+    std::map<std::string, std::set<std::string>> walks;
+    for (const StabilityRow& row : report.rows) {
+        walks[row.tracer].insert(row.traversal);
+        rays[row.tracer] += row.n;
+    }
+    EXPECT_EQ(walks["cpu"].size(), traversals().size() - 1) << "all but naive";
+    EXPECT_EQ(walks["gl-fragment"], walks["cpu"]);
+    EXPECT_EQ(rays["gl-fragment"], rays["cpu"]);
+}
+
+TEST(Stability, TreesAreOfTheBuilderAskedForWhereACaseNamesNone) {
+    StabilityConfig config;
+    config.builder = "spatial-median";
+    CaseRun run(stability_case("T16"), config, {}, {});
+    const std::vector<Triangle> sphere = stress_sphere(16, 8);
+    EXPECT_EQ(run.subject(sphere).tree, build_tree(sphere, {.builder = "spatial-median"}));
+    EXPECT_EQ(run.subject(sphere, BuildConfig{}).tree, build_tree(sphere, {}));
 }
 
 TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
