@@ -29,10 +29,18 @@ TEST(Stats, AllBuildersSideBySide) {
         EXPECT_EQ(tree["tree"]["triangles"], 34);
         EXPECT_EQ(tree["tree"]["node_bytes"], 16 * tree["tree"]["nodes"].get<int>());
         EXPECT_GT(tree["tree"]["sah_cost"], 0);
+        EXPECT_GE(tree["build_time"]["samples"], 3) << "a single time tells the machine's mood";
+        EXPECT_EQ(tree["build_ms"], tree["build_time"]["median"]);
     }
     const test::Outcome table = run_kdscope({"stats", "cornell"});
     EXPECT_NE(table.out.find("memory: lists of copies"), std::string::npos);
     EXPECT_NE(table.out.find("paper"), std::string::npos);
+    for (const auto& phase : data[0]["trees"][0]["build_phases"].items()) {
+        const std::string name = phase.key().substr(0, phase.key().find("_ms"));
+        EXPECT_NE(table.out.find(name), std::string::npos) << "the same word for people";
+    }
+    for (const char* told : {"medians of", "after a warm-up", "by the wall clock on"})
+        EXPECT_NE(table.out.find(told), std::string::npos) << told;
 }
 
 /// What every report says of itself must tell one under other rules from one under the usual.
