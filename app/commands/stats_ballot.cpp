@@ -15,6 +15,7 @@
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
+#include "renderer/io/printable.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ballot_check.h"
 #include "renderer/scene/camera.h"
@@ -163,14 +164,18 @@ void write_map(const std::filesystem::path& path, const Row& row, const Image<fl
               {{"Title", title}, {"Description", caption}, {"Software", "kdscope"}});
 }
 
-void write_maps(const std::string& folder, const std::vector<Row>& rows, const std::string& renderer) {
+/// Two of each row; how many that are.
+int write_maps(const std::string& folder, const std::vector<Row>& rows, const std::string& renderer) {
     const Font font = picture_font();
+    int written = 0;
     for (const Row& row : rows) {
         if (row.report.groups == 0) continue;
         const std::filesystem::path base(folder);
         write_map(base / map_file(row, "measured"), row, row.report.measured_map, "measured", renderer, font);
         write_map(base / map_file(row, "computed"), row, row.report.computed_map, "computed", renderer, font);
+        written += 2;
     }
+    return written;
 }
 
 /// Those wanted of which there is a shader that counts.
@@ -204,14 +209,14 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
 }  // namespace
 
 int run_ballots(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
-    const std::vector<Traversal> counted = counted_traversals(common);
-    if (counted.empty())
+    const std::vector<Traversal> with_loop = counted_traversals(common);
+    if (with_loop.empty())
         throw InputError(
             fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose a walk "
                         "of the tree under the robust rules",
                         info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
     for (const Traversal traversal : wanted_traversals(common, false))
-        if (std::ranges::find(counted, traversal) == counted.end())
+        if (std::ranges::find(with_loop, traversal) == with_loop.end())
             context.err << fmt::format("kdscope: note: {} left out: no shader of it counts lanes\n",
                                        info(traversal).name);
     check_outputs({{"--csv", options.csv}}, {});
@@ -226,7 +231,7 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
     std::vector<Row> rows;
     {
         GlTracer tracer(*gl);
-        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, counted, context, rows);
+        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, with_loop, context, rows);
     }
     bool exact = true;
     MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);
@@ -247,8 +252,12 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
                                   {"rows", all}});
     else
         print(context.out, rows, *gl, support);
-    if (!options.csv.empty()) write_file(options.csv, csv);
-    if (!options.maps.empty()) write_maps(options.maps, rows, gl->renderer());
+    write_files(options, csv, {}, context);
+    if (!options.maps.empty()) {
+        const int maps = write_maps(options.maps, rows, gl->renderer());
+        context.err << fmt::format("kdscope: wrote {} into {}\n", counted(maps, "picture"),
+                                   printable(options.maps, 1000));
+    }
     if (!json)
         context.out << (exact ? "exact: every group made as many iterations, with as many lanes, as were computed\n"
                         : gl->is_software()

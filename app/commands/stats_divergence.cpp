@@ -4,8 +4,10 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <ostream>
+#include <sstream>
 
 #include "app/cli/counted.h"
+#include "app/cli/idle_options.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/text_table.h"
@@ -17,6 +19,7 @@
 #include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
+#include "renderer/io/printable.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/needs.h"
@@ -128,6 +131,14 @@ constexpr const char* explanation = "\nlockstep, if-if, while-while: share of th
                                     "hits, each with its correlation r with\n"
                                     "the share. docs/divergence.md defines them.\n";
 
+/// Without comments and titles.
+std::int64_t csv_rows(const std::string& csv) {
+    std::int64_t rows = -1;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) rows += line.starts_with('#') ? 0 : 1;
+    return rows;
+}
+
 /// The shapes asked for, narrow to wide.
 std::vector<TileShape> shapes_of(const DivergenceOptions& options) {
     if (options.tile_width == 0) return {width_curve().begin(), width_curve().end()};
@@ -182,6 +193,7 @@ WalkedScene open_walked(const CommonOptions& common, const std::string& name, Co
     opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
     check_stop(context);
     opened.camera = pinhole(opened.scene.camera, s.width, s.height);
+    note_idle_eye(s, opened.tree, opened.scene.camera.eye, context);
     return opened;
 }
 
@@ -203,9 +215,19 @@ std::string heading_of(const WalkedScene& walked) {
                        walked.session.height);
 }
 
-void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts) {
-    if (!options.csv.empty()) write_file(options.csv, csv);
+void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts,
+                 const CommandContext& context) {
+    const auto tell = [&](const std::string& what) { context.err << "kdscope: " << what << '\n'; };
+    if (!options.csv.empty()) {
+        write_file(options.csv, csv);
+        tell(fmt::format("wrote {} ({})", printable(options.csv, 1000), counted(csv_rows(csv), "row")));
+    }
     for (const auto& [path, svg] : charts) write_file(path, svg);
+    if (charts.size() == 1) tell("wrote " + printable(charts.front().first, 1000));
+    if (charts.size() > 1)
+        tell(fmt::format("wrote {} to {} ({} charts)", printable(charts.front().first, 1000),
+                         printable(charts.back().first, 1000), charts.size()));
+    if (!options.svg.empty() && charts.empty()) tell("note: no chart is written: no ray of the kind was traced");
 }
 
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
@@ -240,7 +262,7 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                        {"measured_on", kd::json_of(on)}});
     }
     context.out << (json ? json_text(all) : explanation);
-    write_files(options, csv, charts);
+    write_files(options, csv, charts, context);
     return exit_ok;
 }
 

@@ -153,7 +153,7 @@ int run_predicted(const CommonOptions& common, const DivergenceOptions& options,
                        {"measured_on", kd::json_of(on)}});
     }
     context.out << (json ? json_text(all) : explanation);
-    write_files(options, csv, charts);
+    write_files(options, csv, charts, context);
     return exit_ok;
 }
 

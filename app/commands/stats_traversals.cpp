@@ -10,7 +10,6 @@
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
-#include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"
 #include "renderer/scene/camera.h"
@@ -116,7 +115,7 @@ int run_traversals(const CommonOptions& common, const DivergenceOptions& options
         }
     }
     context.out << (json ? json_text(all) : explanation);
-    if (!options.csv.empty()) write_file(options.csv, csv);
+    write_files(options, csv, {}, context);
     return exit_ok;
 }
 
