@@ -7,6 +7,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/commands/stats_divergence.h"
 #include "app/fonts.h"
@@ -105,10 +106,13 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Context& gl, c
     using enum TextTable::Align;
     out << fmt::format("renderer  {}{}\ncounts by {}\n\n", gl.renderer(),
                        gl.is_software() ? " (software, not a GPU)" : "", support.extensions());
-    TextTable table({{"scene", left},
-                     {"traversal", left},
-                     {"loop", left},
-                     {"rays", left},
+    const auto key = [](const char* title) {
+        return TextTable::Column{.title = title, .align = left, .repeats = true};
+    };
+    TextTable table({key("scene"),
+                     key("traversal"),
+                     key("loop"),
+                     key("rays"),
                      {"lanes"},
                      {"tile", left},
                      {"groups"},
@@ -128,7 +132,7 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Context& gl, c
                        fmt::format("{}", r.groups), fmt::format("{}", r.measured.iterations), share(r.measured),
                        share(r.computed), fmt::format("{}", r.differ), fmt::format("{}", r.unlike), verdict(row)});
     }
-    table.print(out);
+    table.print(out, terminal_width());
     for (const Row& row : rows)
         if (!row.report.first_difference.empty())
             out << fmt::format("first difference of {} {} {} {}: {}\n", row.scene, info(row.traversal).name,

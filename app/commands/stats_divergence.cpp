@@ -10,6 +10,7 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/cli/typed_options.h"
 #include "app/report/chart_files.h"
@@ -29,7 +30,7 @@ namespace kd {
 
 namespace {
 
-std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
+std::string share(double value) { return decimals_text(value, 3); }
 
 Json json_of(const EfficiencySummary& e) {
     return {{"groups", e.groups},
@@ -43,8 +44,6 @@ Json json_of(const EfficiencySummary& e) {
             {"p5", e.p5}};
 }
 
-Json number_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
-
 Json json_of(const DivergencePoint& point) {
     Json json{{"lanes", point.lanes()}, {"tile_width", point.tile_width}, {"tile_height", point.tile_height}};
     for (const ScheduleInfo& schedule : schedules())
@@ -52,11 +51,11 @@ Json json_of(const DivergencePoint& point) {
     const NodeReads& reads = point.reads;
     json["node_reads"] = {{"steps", reads.iterations}, {"lanes", reads.lanes},
                           {"nodes", reads.nodes},      {"sectors", reads.sectors},
-                          {"lines", reads.lines},      {"coherence", number_or_null(reads.coherence())}};
+                          {"lines", reads.lines},      {"coherence", finite_or_null(reads.coherence())}};
     json["hits"] = {{"triangles_per_group", point.hits.mean_triangles},
                     {"leaves_per_group", point.hits.mean_leaves},
-                    {"r_triangles", number_or_null(point.hits.triangles)},
-                    {"r_leaves", number_or_null(point.hits.leaves)}};
+                    {"r_triangles", finite_or_null(point.hits.triangles)},
+                    {"r_leaves", finite_or_null(point.hits.leaves)}};
     return json;
 }
 
@@ -82,13 +81,13 @@ void print(std::ostream& out, const DivergenceReport& report) {
     out << fmt::format("{}, {:.1f} steps each", counted(report.pixels, "pixel"),
                        double(report.steps) / double(report.pixels));
     if (report.overhead > 0)
-        out << fmt::format("; {:.2f} times the interior visits of a stack (median of the pixels {:.2f})",
+        out << fmt::format(";\n{:.2f} times the interior visits of a stack (median of the pixels {:.2f})",
                            report.overhead, report.median_overhead);
     out << (report.unlike_hits > 0
                 ? fmt::format("; {} with another hit than by a stack\n", counted(report.unlike_hits, "pixel"))
                 : "\n");
-    TextTable table({{"lanes"},
-                     {"tile"},
+    TextTable table({{.title = "lanes", .repeats = true},
+                     {.title = "tile", .repeats = true},
                      {"lockstep"},
                      {"if-if"},
                      {"while-while"},
@@ -101,9 +100,9 @@ void print(std::ostream& out, const DivergenceReport& report) {
                      {"lines"},
                      {"coherence"},
                      {"triangles"},
-                     {"r"},
+                     {"its r"},
                      {"leaves"},
-                     {"r"}});
+                     {"its r"}});
     for (const DivergencePoint& point : report.points) {
         const auto by = [&point](Schedule schedule) { return point.by_schedule[std::size_t(schedule)]; };
         const EfficiencySummary loops = by(Schedule::while_while);
@@ -120,16 +119,14 @@ void print(std::ostream& out, const DivergenceReport& report) {
                        fmt::format("{:.1f}", point.hits.mean_triangles), r(point.hits.triangles),
                        fmt::format("{:.1f}", point.hits.mean_leaves), r(point.hits.leaves)});
     }
-    table.print(out);
+    table.print(out, terminal_width());
 }
 
-constexpr const char* explanation = "\nlockstep, if-if, while-while: share of the lanes paid for that work, of the "
-                                    "whole image. All further columns are of\n"
-                                    "while-while: that share tile by tile; lanes that read a node in one step, the "
-                                    "different nodes, 32-byte sectors and\n"
-                                    "128-byte lines among what they read; different triangles and leaves that a group "
-                                    "hits, each with its correlation r with\n"
-                                    "the share. docs/divergence.md defines them.\n";
+constexpr const char* explanation =
+    "\nlockstep, if-if, while-while: share of the lanes paid for that work, of the whole image. All further\n"
+    "columns are of while-while: that share tile by tile; lanes that read a node in one step, the\n"
+    "different nodes, 32-byte sectors and 128-byte lines among what they read; different triangles and\n"
+    "leaves that a group hits, each with its correlation r with the share (docs/divergence.md).\n";
 
 /// Without comments and titles.
 std::int64_t csv_rows(const std::string& csv) {
@@ -256,10 +253,7 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                     charts.emplace_back(numbered(options.svg, charts.size()),
                                         chart_svg(width_chart(*report), context.stop));
             }
-        all.push_back({{"settings", kd::json_of(walked.session)},
-                       {"scene", kd::json_of(walked.scene)},
-                       {"divergence", reports},
-                       {"measured_on", kd::json_of(on)}});
+        all.push_back(scene_report(walked.session, walked.scene, "divergence", std::move(reports), on));
     }
     context.out << (json ? json_text(all) : explanation);
     write_files(options, csv, charts, context);

@@ -180,8 +180,8 @@ Json json_of(const Entry& e) {
 std::string footer(const Session& session, const std::vector<Entry>& entries) {
     const auto rounds = std::size_t(entries.front().build_time.samples);
     return fmt::format(
-        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests per ray,\n"
-        "counted on the CPU in a {}x{} picture with {}.\n"
+        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests per\n"
+        "ray, counted on the CPU in a {}x{} picture with {}.\n"
         "Build: medians of {}{} after a warm-up, by the wall clock on {};\nphases of the build are added over its "
         "threads.\n",
         session.width, session.height, info(session.trace.traversal).name, counted(rounds, "round"),
@@ -192,7 +192,7 @@ std::string footer(const Session& session, const std::vector<Entry>& entries) {
 void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
     out << fmt::format("{}: {}\n", session.scene, contents_text(scene));
     for (const std::string& note : scene.notes) out << "note: " << note << '\n';
-    std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
+    std::vector<TextTable::Column> columns{{.title = "builder", .align = TextTable::Align::left, .repeats = true}};
     for (const Entry& entry : entries) columns.push_back({entry.builder});
     TextTable table(columns);
     for (const Quantity& quantity : quantities) {
@@ -205,7 +205,7 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
     for (const Entry& entry : entries)
         for (const std::string& note : build_notes(entry.build))
             if (note != reference_cap_note) out << fmt::format("note: {}: {}\n", entry.builder, note);
-    out << fmt::format("GL memory is that of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
+    out << fmt::format("GL: memory of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
                        info(session.trace.traversal).name, bytes_of(nodes_in_force(session.trace)),
                        name_of(session.trace.leaf_lists), session.width, session.height);
     for (const Entry& entry : entries)
@@ -307,10 +307,8 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
         }
         Json trees = Json::array();
         for (const Entry& entry : entries) trees.push_back(json_of(entry));
-        json.push_back({{"settings", kd::json_of(session)},
-                        {"scene", kd::json_of(of.scene)},
-                        {"trees", trees},
-                        {"measured_on", kd::json_of(measured_on(session.threads, session.seed))}});
+        json.push_back(
+            scene_report(session, of.scene, "trees", std::move(trees), measured_on(session.threads, session.seed)));
     }
     if (as_json) context.out << json_text(json);
     return exit_ok;

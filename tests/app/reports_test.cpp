@@ -256,12 +256,36 @@ TEST(TextTable, WhatMayDropStandsBelowItsRowWhereTheTableIsTooWide) {
                             "b        7\n");
 }
 
+TEST(TextTable, GoesInPartsWithItsFirstColumnWhereItIsTooWide) {
+    TextTable table({{.title = "name", .align = TextTable::Align::left, .repeats = true}, {"one"}, {"two"}, {"three"}});
+    table.add_row({"a", "1", "2", "3"});
+    std::ostringstream wide, narrow, least;
+    table.print(wide, 21);
+    table.print(narrow, 15);
+    table.print(least, 2);
+    EXPECT_EQ(wide.str(), "name  one  two  three\na       1    2      3\n");
+    EXPECT_EQ(narrow.str(), "name  one  two\na       1    2\n\nname  three\na         3\n");
+    EXPECT_EQ(least.str(), "name  one\na       1\n\nname  two\na       2\n\nname  three\na         3\n");
+}
+
 /// The longest line in letters.
 std::size_t widest(const std::string& text) {
     std::size_t most = 0;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) most = std::max(most, decode_utf8(line).size());
     return most;
+}
+
+TEST(Stats, TablesKeepWithinAHundredLetters) {
+    for (const Words& table :
+         {Words{"--builders"}, Words{"--predicted"}, Words{"--predicted", "--builders"}, Words{"--traversals"},
+          Words{"--divergence", "--traversal", "stack"}, Words{"--bonus"}}) {
+        Words command{"stats", "cornell", "--size", "16x12"};
+        command.insert(command.end(), table.begin(), table.end());
+        const test::Outcome outcome = run_kdscope(command);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_LE(widest(outcome.out), usual_width) << outcome.out;
+    }
 }
 
 TEST(Needs, TableKeepsWithinAHundredLetters) {
