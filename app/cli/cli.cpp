@@ -104,6 +104,22 @@ std::string unexpected(const CLI::App& command) {
     return fmt::format("unknown option {}{}", given, did_you_mean(given, known));
 }
 
+/// CLI11 would take --plain-ropes=no for --plain-ropes.
+void refuse_flag_values(const CLI::App& app, const std::vector<std::string>& arguments) {
+    const auto chosen =
+        app.get_subcommands([&](const CLI::App* each) { return each->get_name() == arguments.front(); });
+    if (chosen.empty()) return;
+    const CLI::App* command = chosen.front();
+    for (const std::string& word : arguments) {
+        const std::size_t equals = word.find('=');
+        if (!word.starts_with("--") || equals == std::string::npos) continue;
+        const CLI::Option* option = command->get_option_no_throw(word.substr(0, equals));
+        if (option && option->get_items_expected_max() == 0)
+            throw UsageError(fmt::format("{}: takes no value; leave '{}' out (see kdscope {} --help)",
+                                         word.substr(0, equals), printable(word.substr(equals)), command->get_name()));
+    }
+}
+
 int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
     supply_command(arguments);
     CLI::App app("kdscope shows what a ray tracer's kd-tree costs, pixel by pixel.", "kdscope");
@@ -122,6 +138,7 @@ int parse_and_run(std::vector<std::string> arguments, CommandContext& context) {
         sub->footer((takes_scene ? scene_list() + "\n" : "") + command.examples);
         sub->callback([&body, run] { body = run; });
     }
+    refuse_flag_values(app, arguments);
     std::ranges::reverse(arguments);  // as CLI11 wants them
     try {
         app.parse(std::move(arguments));

@@ -28,6 +28,8 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 std::optional<std::string> closest_name(std::string_view word, const std::vector<std::string>& known) {
     constexpr std::size_t most_edits = 2, longest_word = 200;
     if (word.size() > longest_word) return std::nullopt;
+    // A number is not misspelt: whoever wrote 12 did not mean 16.
+    if (word.find_first_not_of("0123456789.+-") == std::string_view::npos) return std::nullopt;
     std::optional<std::string> closest;
     std::size_t fewest = std::min(most_edits, word.size() / 2) + 1;
     for (const std::string& name : known)

@@ -14,13 +14,14 @@ namespace {
 void add_hand_split(std::vector<HandSplit>& splits, const std::string& given) {
     const std::size_t first = given.find(':');
     const std::size_t second = given.find(':', first == std::string::npos ? first : first + 1);
-    if (second == std::string::npos) refuse(fmt::format("'{}' is not PATH:AXIS:AT, such as ba:x:0.5", given));
+    if (second == std::string::npos) refuse("not PATH:AXIS:AT, such as ba:x:0.5");
+    HandSplit& split = splits.emplace_back(HandSplit{.path = given.substr(0, first)});
+    if (const auto fault = hand_split_fault(splits, splits.size() - 1)) refuse(*fault);
+    split.axis = chosen(choices::axes(), given.substr(first + 1, second - first - 1), "axis");
     const std::string position = given.substr(second + 1);
     const std::optional<float> at = parse_number<float>(position);
-    if (!at || !std::isfinite(*at)) refuse(fmt::format("'{}' is not a finite number", position));
-    splits.push_back(
-        {given.substr(0, first), chosen(choices::axes(), given.substr(first + 1, second - first - 1), "axis"), *at});
-    if (const auto fault = hand_split_fault(splits, splits.size() - 1)) refuse(fmt::format("'{}': {}", given, *fault));
+    if (!at || !std::isfinite(*at)) refuse(fmt::format("position '{}' is not a finite number", position));
+    split.position = *at;
 }
 
 }  // namespace
@@ -28,10 +29,12 @@ void add_hand_split(std::vector<HandSplit>& splits, const std::string& given) {
 CLI::Option* add_split_option(CLI::App& app, std::vector<HandSplit>& splits) {
     const auto take = [&splits](const std::vector<std::string>& given) {
         splits.clear();
-        try {
-            for (const std::string& one : given) add_hand_split(splits, one);
-        } catch (const std::invalid_argument& error) {
-            throw CLI::ValidationError("--split", printable(error.what(), 1000));
+        for (const std::string& one : given) {
+            try {
+                add_hand_split(splits, one);
+            } catch (const std::invalid_argument& error) {
+                throw CLI::ValidationError("--split", printable(fmt::format("'{}': {}", one, error.what()), 1000));
+            }
         }
     };
     return app

@@ -1,7 +1,9 @@
 #include "app/cli/idle_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <ostream>
 
 #include "renderer/geometry/input_error.h"
@@ -50,35 +52,45 @@ OptionUse bins_use(const Session& session, bool all_builders) {
             fmt::format("builder {} has none; --builder binned would use them", session.build.builder)};
 }
 
+OptionUse seed_use(const std::string& scene, bool random_rays) {
+    return {"--seed", random_rays || is_seeded(scene), fmt::format("nothing in {} is random", scene)};
+}
+
+std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
+    // Where every traversal is run, some have a use for each choice.
+    const auto use = [&](const char* option, WalkChoice choice) {
+        const std::string why = every_walk ? "" : why_idle(choice, session.trace);
+        return OptionUse{option, why.empty(), why};
+    };
+    const bool walks = every_walk || session.trace.traversal != Traversal::naive;
+    return {
+        use("--nodes", WalkChoice::nodes),
+        {"--leaf-lists", walks, "the loop over all triangles (naive) walks no tree"},
+        use("--short-stack", WalkChoice::short_stack),
+        use("--plain-ropes", WalkChoice::plain_ropes),
+        use("--entry-tile", WalkChoice::entry_tile),
+        use("--eye-leaf", WalkChoice::eye_leaf),
+        use("--rules", WalkChoice::rules),
+        {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
+    };
+}
+
 std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
                                    bool random_rays, bool all_builders) {
     const bool named = options.tracer.has_value() || !all_tracers;
     const bool gl = !named || session.tracer == TracerKind::gl_fragment;
     const bool cpu = !named || session.tracer == TracerKind::cpu;
-    // Where every traversal is run, some have a use for each choice.
-    const bool every_walk = all_tracers && !options.traversal;
-    const auto walk_use = [&](const char* option, WalkChoice choice) {
-        const std::string why = every_walk ? "" : why_idle(choice, session.trace);
-        return OptionUse{option, why.empty(), why};
-    };
-    const bool walks = every_walk || session.trace.traversal != Traversal::naive;
     const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
-    return {
+    std::vector<OptionUse> uses{
         {"--context", gl, no_gl},
         {"--early-z", gl, no_gl},
         {"--count-shaded", gl, no_gl},
         {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
-        walk_use("--nodes", WalkChoice::nodes),
-        {"--leaf-lists", walks, "the loop over all triangles (naive) walks no tree"},
-        walk_use("--short-stack", WalkChoice::short_stack),
-        walk_use("--plain-ropes", WalkChoice::plain_ropes),
-        walk_use("--entry-tile", WalkChoice::entry_tile),
-        walk_use("--eye-leaf", WalkChoice::eye_leaf),
-        walk_use("--rules", WalkChoice::rules),
-        {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
         bins_use(session, all_builders && !options.builder),
-        {"--seed", random_rays || is_seeded(session.scene), fmt::format("nothing in {} is random", session.scene)},
+        seed_use(session.scene, random_rays),
     };
+    std::ranges::move(walk_uses(session, all_tracers && !options.traversal), std::back_inserter(uses));
+    return uses;
 }
 
 }  // namespace kd

@@ -28,6 +28,12 @@ void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const C
 /// Option --bins, in a command that makes every tree where `all_builders`.
 [[nodiscard]] OptionUse bins_use(const Session& session, bool all_builders);
 
+/// Option --seed, in a command that makes rays at random where `random_rays`.
+[[nodiscard]] OptionUse seed_use(const std::string& scene, bool random_rays);
+
+/// What the walk of `session` reads of the options of walks and mirrors; `every_walk` where all are run.
+[[nodiscard]] std::vector<OptionUse> walk_uses(const Session& session, bool every_walk);
+
 /// Those of the shared options, as note_idle() takes them. `session` is that of one scene; `all_tracers` where a
 /// command runs every tracer and traversal unless one is named, `all_builders` every builder, `random_rays` where it
 /// makes rays at random, whatever the scene.

@@ -10,6 +10,9 @@ namespace kd {
 /// Columns that tables are to keep within where nobody knows the terminal.
 inline constexpr std::size_t usual_width = 100;
 
+/// With so many decimals; "-" where there is no number, NaN.
+[[nodiscard]] std::string decimals_text(double value, int decimals);
+
 class TextTable {
   public:
     enum class Align { left, right };
@@ -19,6 +22,9 @@ class TextTable {
         /// Where the table is too wide, the column's cells stand below their rows, in as many lines as they need.
         bool may_drop = false;
         std::size_t least = 0;  // letters that the column is wide whatever it holds, as where a table grows by parts
+        /// Where the table is too wide and has such columns, it goes in parts below each other; they begin each of
+        /// them.
+        bool repeats = false;
     };
     enum class Titles { shown, hidden };
 
@@ -31,6 +37,7 @@ class TextTable {
 
   private:
     [[nodiscard]] std::vector<std::size_t> widths() const;
+    [[nodiscard]] std::vector<TextTable> parts(std::size_t width) const;
     void print_row(std::ostream& out, const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
                    bool dropping, std::size_t width) const;
 

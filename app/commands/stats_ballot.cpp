@@ -7,6 +7,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/commands/stats_divergence.h"
 #include "app/fonts.h"
@@ -15,6 +16,7 @@
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
+#include "renderer/io/printable.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ballot_check.h"
 #include "renderer/scene/camera.h"
@@ -104,10 +106,13 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Context& gl, c
     using enum TextTable::Align;
     out << fmt::format("renderer  {}{}\ncounts by {}\n\n", gl.renderer(),
                        gl.is_software() ? " (software, not a GPU)" : "", support.extensions());
-    TextTable table({{"scene", left},
-                     {"traversal", left},
-                     {"loop", left},
-                     {"rays", left},
+    const auto key = [](const char* title) {
+        return TextTable::Column{.title = title, .align = left, .repeats = true};
+    };
+    TextTable table({key("scene"),
+                     key("traversal"),
+                     key("loop"),
+                     key("rays"),
                      {"lanes"},
                      {"tile", left},
                      {"groups"},
@@ -127,7 +132,7 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Context& gl, c
                        fmt::format("{}", r.groups), fmt::format("{}", r.measured.iterations), share(r.measured),
                        share(r.computed), fmt::format("{}", r.differ), fmt::format("{}", r.unlike), verdict(row)});
     }
-    table.print(out);
+    table.print(out, terminal_width());
     for (const Row& row : rows)
         if (!row.report.first_difference.empty())
             out << fmt::format("first difference of {} {} {} {}: {}\n", row.scene, info(row.traversal).name,
@@ -163,14 +168,18 @@ void write_map(const std::filesystem::path& path, const Row& row, const Image<fl
               {{"Title", title}, {"Description", caption}, {"Software", "kdscope"}});
 }
 
-void write_maps(const std::string& folder, const std::vector<Row>& rows, const std::string& renderer) {
+/// Two of each row; how many that are.
+int write_maps(const std::string& folder, const std::vector<Row>& rows, const std::string& renderer) {
     const Font font = picture_font();
+    int written = 0;
     for (const Row& row : rows) {
         if (row.report.groups == 0) continue;
         const std::filesystem::path base(folder);
         write_map(base / map_file(row, "measured"), row, row.report.measured_map, "measured", renderer, font);
         write_map(base / map_file(row, "computed"), row, row.report.computed_map, "computed", renderer, font);
+        written += 2;
     }
+    return written;
 }
 
 /// Those wanted of which there is a shader that counts.
@@ -204,14 +213,14 @@ void add_rows(GlTracer& tracer, const CommonOptions& common, const DivergenceOpt
 }  // namespace
 
 int run_ballots(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
-    const std::vector<Traversal> counted = counted_traversals(common);
-    if (counted.empty())
+    const std::vector<Traversal> with_loop = counted_traversals(common);
+    if (with_loop.empty())
         throw InputError(
             fmt::format("--ballot: no loop that counts lanes is written for {} under rules {}; choose a walk "
                         "of the tree under the robust rules",
                         info(wanted_traversals(common, false).front()).name, info(common.session.trace.rules).name));
     for (const Traversal traversal : wanted_traversals(common, false))
-        if (std::ranges::find(counted, traversal) == counted.end())
+        if (std::ranges::find(with_loop, traversal) == with_loop.end())
             context.err << fmt::format("kdscope: note: {} left out: no shader of it counts lanes\n",
                                        info(traversal).name);
     check_outputs({{"--csv", options.csv}}, {});
@@ -226,7 +235,7 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
     std::vector<Row> rows;
     {
         GlTracer tracer(*gl);
-        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, counted, context, rows);
+        for (const std::string& name : common.scenes) add_rows(tracer, common, options, name, with_loop, context, rows);
     }
     bool exact = true;
     MeasuredOn on = measured_on(common.session.threads, common.session.seed, *gl);
@@ -247,8 +256,12 @@ int run_ballots(const CommonOptions& common, const DivergenceOptions& options, b
                                   {"rows", all}});
     else
         print(context.out, rows, *gl, support);
-    if (!options.csv.empty()) write_file(options.csv, csv);
-    if (!options.maps.empty()) write_maps(options.maps, rows, gl->renderer());
+    write_files(options, csv, {}, context);
+    if (!options.maps.empty()) {
+        const int maps = write_maps(options.maps, rows, gl->renderer());
+        context.err << fmt::format("kdscope: wrote {} into {}\n", counted(maps, "picture"),
+                                   printable(options.maps, 1000));
+    }
     if (!json)
         context.out << (exact ? "exact: every group made as many iterations, with as many lanes, as were computed\n"
                         : gl->is_software()

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
@@ -87,7 +88,7 @@ PerRay per_ray(const CounterTotals& t) {
 }
 
 void print(std::ostream& out, const std::vector<Row>& rows, const Session& s, const FlatScene& scene) {
-    out << fmt::format("{}: {}; {} tree, {}x{}, all rays of the picture by {} on the CPU\n", s.scene,
+    out << fmt::format("{}: {}\n{} tree, {}x{}, all rays of the picture by {} on the CPU\n", s.scene,
                        contents_text(scene), s.build.builder, s.width, s.height, info(s.trace.traversal).name);
     TextTable table({{"bonus"},
                      {"gate"},
@@ -111,7 +112,10 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Session& s, co
                        fmt::format("{:.2f}-{:.2f}", time.p25_ms, time.p75_ms),
                        fmt::format("{:.3f}", time.median_ms / none)});
     }
-    table.print(out);
+    table.print(out, terminal_width());
+    out << fmt::format("interior, leaves, tests: visits and triangle tests per ray. ms: median of {} rounds in turn, "
+                       "after a\nwarm-up; time of none: over that without a bonus.\n",
+                       rows.front().timed.rounds.size());
 }
 
 Json json_of(const Row& row, double none) {
@@ -145,10 +149,8 @@ int run_bonuses(const CommonOptions& options, bool as_json, CommandContext& cont
         }
         Json trees = Json::array();
         for (const Row& row : rows) trees.push_back(json_of(row, rows.front().timed.total().median_ms));
-        json.push_back({{"settings", kd::json_of(session)},
-                        {"scene", kd::json_of(scene)},
-                        {"bonuses", trees},
-                        {"measured_on", kd::json_of(measured_on(session.threads, session.seed))}});
+        json.push_back(
+            scene_report(session, scene, "bonuses", std::move(trees), measured_on(session.threads, session.seed)));
     }
     if (as_json) context.out << json_text(json);
     return exit_ok;

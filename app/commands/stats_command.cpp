@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <memory>
 
@@ -29,53 +30,74 @@ struct StatsOptions : CommonOptions {
 
 enum class Table { trees, bonus, traversals, predicted, divergence, ballot };
 
+/// That asks for the table; empty where none is needed.
+constexpr std::array<std::string_view, 6> table_options{
+    "", "--bonus", "--traversals", "--predicted", "--divergence", "--ballot"};
+std::string_view option_of(Table table) { return table_options[std::size_t(table)]; }
+
 /// The one asked for by an option of its own; InputError where there are two.
 Table table_of(const StatsOptions& options) {
-    struct Wish {
-        const char* option;
-        bool asked;
-        Table table;
-    };
-    const Wish wishes[] = {{"--bonus", options.bonuses, Table::bonus},
-                           {"--traversals", options.every_traversal, Table::traversals},
-                           {"--predicted", options.predicted, Table::predicted},
-                           {"--divergence", options.divergence.divergence, Table::divergence},
-                           {"--ballot", options.divergence.ballot, Table::ballot}};
-    const Wish* chosen = nullptr;
-    for (const Wish& wish : wishes) {
-        if (!wish.asked) continue;
-        if (chosen)
+    const std::pair<Table, bool> wishes[] = {{Table::bonus, options.bonuses},
+                                             {Table::traversals, options.every_traversal},
+                                             {Table::predicted, options.predicted},
+                                             {Table::divergence, options.divergence.divergence},
+                                             {Table::ballot, options.divergence.ballot}};
+    Table chosen = Table::trees;
+    for (const auto& [table, asked] : wishes) {
+        if (!asked) continue;
+        if (chosen != Table::trees)
             throw InputError(
-                fmt::format("{}: cannot be given with {}; ask for one of them", wish.option, chosen->option));
-        chosen = &wish;
+                fmt::format("{}: cannot be given with {}; ask for one of them", option_of(table), option_of(chosen)));
+        chosen = table;
     }
-    return chosen ? chosen->table : Table::trees;
+    return chosen;
+}
+
+/// "--bonus writes no charts; leave it out, or take --divergence instead": for an option that `table` has no use for.
+std::string not_of(Table table, std::string_view what, std::string_view tables_that_do) {
+    if (table == Table::trees) return fmt::format("the table of trees {}; add {}", what, tables_that_do);
+    return fmt::format("{} {}; leave one out, or take {} instead", option_of(table), what, tables_that_do);
 }
 
 /// What a table does not read, and what only some do.
 void check_uses(const CLI::App& app, Table table, bool every_builder) {
     const auto one_of = [&](std::initializer_list<Table> tables) { return std::ranges::count(tables, table) > 0; };
     const bool walks = one_of({Table::traversals, Table::predicted, Table::divergence, Table::ballot});
-    const std::string no_walks =
-        "this table is about all rays; add --divergence, --ballot, --traversals or --predicted";
+    const std::string_view walking = "--divergence, --ballot, --traversals or --predicted";
     const std::string several = "shows several; leave one of them out";
-    refuse_idle(
-        app, {{"--builders", one_of({Table::trees, Table::predicted}), "this table is about one tree; leave one out"},
-              {"--builder", !every_builder, "--builders " + several},
-              {"--empty-bonus", table != Table::bonus, "--bonus " + several},
-              {"--rays", walks, no_walks},
-              {"--csv", walks, no_walks},
-              {"--svg", one_of({Table::divergence, Table::predicted}),
-               "only --divergence and --predicted have charts to draw; add one of them"},
-              {"--maps", table == Table::ballot, "only --ballot measures them; add it"},
-              {"--tile", table == Table::divergence, "only --divergence has groups to choose; add it"}});
+    refuse_idle(app,
+                {{"--builders", one_of({Table::trees, Table::predicted}),
+                  fmt::format("{} is about one tree; leave one of them out", option_of(table))},
+                 {"--builder", !every_builder, "--builders " + several},
+                 {"--empty-bonus", table != Table::bonus, "--bonus " + several},
+                 {"--rays", walks, not_of(table, "is about all rays together", walking)},
+                 {"--csv", walks, not_of(table, "is written by --json, not as CSV", walking)},
+                 {"--svg", one_of({Table::divergence, Table::predicted}),
+                  not_of(table, "has no charts", "--divergence or --predicted")},
+                 {"--maps", table == Table::ballot, not_of(table, "has no maps", "--ballot")},
+                 {"--tile", table == Table::divergence, not_of(table, "has no groups to choose", "--divergence")}});
     for (const char* walk : {"--traversal", "--short-stack", "--plain-ropes", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{walk, table != Table::traversals, "--traversals " + several}});
+}
+
+/// What only a part of the scenes or walks would read.
+void note_uses(const CLI::App& app, Table table, const StatsOptions& options, const CommandContext& context) {
+    const auto one_of = [&](std::initializer_list<Table> tables) { return std::ranges::count(tables, table) > 0; };
+    const bool every_walk =
+        table == Table::traversals || (one_of({Table::divergence, Table::ballot}) && !options.traversal);
+    const bool lines = table == Table::predicted;
+    const auto seeded = [&](const std::string& scene) { return seed_use(scene, lines).acts; };
+    std::vector<OptionUse> uses = walk_uses(options.session_for(""), every_walk);
+    uses.push_back(bins_use(options.session_for(""), options.every_builder));
+    uses.push_back({"--context", one_of({Table::trees, Table::ballot}), "this table is made on the CPU alone"});
+    if (std::ranges::none_of(options.scenes, seeded)) uses.push_back(seed_use(options.scenes.front(), lines));
+    note_idle(app, uses, context);
 }
 
 int run(const CLI::App& app, const StatsOptions& options, CommandContext& context) {
     const Table table = table_of(options);
     check_uses(app, table, options.every_builder);
+    note_uses(app, table, options, context);
     switch (table) {
         case Table::bonus: return run_bonuses(options, options.json, context);
         case Table::traversals: return run_traversals(options, options.divergence, options.json, context);
@@ -85,7 +107,6 @@ int run(const CLI::App& app, const StatsOptions& options, CommandContext& contex
         case Table::ballot: return run_ballots(options, options.divergence, options.json, context);
         case Table::trees: break;
     }
-    note_idle(app, {bins_use(options.session_for(""), options.every_builder)}, context);
     return run_trees(options, options.every_builder, options.json, context);
 }
 

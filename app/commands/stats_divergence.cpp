@@ -4,10 +4,13 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <ostream>
+#include <sstream>
 
 #include "app/cli/counted.h"
+#include "app/cli/idle_options.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/cli/typed_options.h"
 #include "app/report/chart_files.h"
@@ -17,6 +20,7 @@
 #include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
+#include "renderer/io/printable.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/needs.h"
@@ -26,7 +30,7 @@ namespace kd {
 
 namespace {
 
-std::string share(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
+std::string share(double value) { return decimals_text(value, 3); }
 
 Json json_of(const EfficiencySummary& e) {
     return {{"groups", e.groups},
@@ -40,8 +44,6 @@ Json json_of(const EfficiencySummary& e) {
             {"p5", e.p5}};
 }
 
-Json number_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
-
 Json json_of(const DivergencePoint& point) {
     Json json{{"lanes", point.lanes()}, {"tile_width", point.tile_width}, {"tile_height", point.tile_height}};
     for (const ScheduleInfo& schedule : schedules())
@@ -49,11 +51,11 @@ Json json_of(const DivergencePoint& point) {
     const NodeReads& reads = point.reads;
     json["node_reads"] = {{"steps", reads.iterations}, {"lanes", reads.lanes},
                           {"nodes", reads.nodes},      {"sectors", reads.sectors},
-                          {"lines", reads.lines},      {"coherence", number_or_null(reads.coherence())}};
+                          {"lines", reads.lines},      {"coherence", finite_or_null(reads.coherence())}};
     json["hits"] = {{"triangles_per_group", point.hits.mean_triangles},
                     {"leaves_per_group", point.hits.mean_leaves},
-                    {"r_triangles", number_or_null(point.hits.triangles)},
-                    {"r_leaves", number_or_null(point.hits.leaves)}};
+                    {"r_triangles", finite_or_null(point.hits.triangles)},
+                    {"r_leaves", finite_or_null(point.hits.leaves)}};
     return json;
 }
 
@@ -79,13 +81,13 @@ void print(std::ostream& out, const DivergenceReport& report) {
     out << fmt::format("{}, {:.1f} steps each", counted(report.pixels, "pixel"),
                        double(report.steps) / double(report.pixels));
     if (report.overhead > 0)
-        out << fmt::format("; {:.2f} times the interior visits of a stack (median of the pixels {:.2f})",
+        out << fmt::format(";\n{:.2f} times the interior visits of a stack (median of the pixels {:.2f})",
                            report.overhead, report.median_overhead);
     out << (report.unlike_hits > 0
                 ? fmt::format("; {} with another hit than by a stack\n", counted(report.unlike_hits, "pixel"))
                 : "\n");
-    TextTable table({{"lanes"},
-                     {"tile"},
+    TextTable table({{.title = "lanes", .repeats = true},
+                     {.title = "tile", .repeats = true},
                      {"lockstep"},
                      {"if-if"},
                      {"while-while"},
@@ -98,9 +100,9 @@ void print(std::ostream& out, const DivergenceReport& report) {
                      {"lines"},
                      {"coherence"},
                      {"triangles"},
-                     {"r"},
+                     {"its r"},
                      {"leaves"},
-                     {"r"}});
+                     {"its r"}});
     for (const DivergencePoint& point : report.points) {
         const auto by = [&point](Schedule schedule) { return point.by_schedule[std::size_t(schedule)]; };
         const EfficiencySummary loops = by(Schedule::while_while);
@@ -117,16 +119,22 @@ void print(std::ostream& out, const DivergenceReport& report) {
                        fmt::format("{:.1f}", point.hits.mean_triangles), r(point.hits.triangles),
                        fmt::format("{:.1f}", point.hits.mean_leaves), r(point.hits.leaves)});
     }
-    table.print(out);
+    table.print(out, terminal_width());
 }
 
-constexpr const char* explanation = "\nlockstep, if-if, while-while: share of the lanes paid for that work, of the "
-                                    "whole image. All further columns are of\n"
-                                    "while-while: that share tile by tile; lanes that read a node in one step, the "
-                                    "different nodes, 32-byte sectors and\n"
-                                    "128-byte lines among what they read; different triangles and leaves that a group "
-                                    "hits, each with its correlation r with\n"
-                                    "the share. docs/divergence.md defines them.\n";
+constexpr const char* explanation =
+    "\nlockstep, if-if, while-while: share of the lanes paid for that work, of the whole image. All further\n"
+    "columns are of while-while: that share tile by tile; lanes that read a node in one step, the\n"
+    "different nodes, 32-byte sectors and 128-byte lines among what they read; different triangles and\n"
+    "leaves that a group hits, each with its correlation r with the share (docs/divergence.md).\n";
+
+/// Without comments and titles.
+std::int64_t csv_rows(const std::string& csv) {
+    std::int64_t rows = -1;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) rows += line.starts_with('#') ? 0 : 1;
+    return rows;
+}
 
 /// The shapes asked for, narrow to wide.
 std::vector<TileShape> shapes_of(const DivergenceOptions& options) {
@@ -182,6 +190,7 @@ WalkedScene open_walked(const CommonOptions& common, const std::string& name, Co
     opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
     check_stop(context);
     opened.camera = pinhole(opened.scene.camera, s.width, s.height);
+    note_idle_eye(s, opened.tree, opened.scene.camera.eye, context);
     return opened;
 }
 
@@ -203,9 +212,19 @@ std::string heading_of(const WalkedScene& walked) {
                        walked.session.height);
 }
 
-void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts) {
-    if (!options.csv.empty()) write_file(options.csv, csv);
+void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts,
+                 const CommandContext& context) {
+    const auto tell = [&](const std::string& what) { context.err << "kdscope: " << what << '\n'; };
+    if (!options.csv.empty()) {
+        write_file(options.csv, csv);
+        tell(fmt::format("wrote {} ({})", printable(options.csv, 1000), counted(csv_rows(csv), "row")));
+    }
     for (const auto& [path, svg] : charts) write_file(path, svg);
+    if (charts.size() == 1) tell("wrote " + printable(charts.front().first, 1000));
+    if (charts.size() > 1)
+        tell(fmt::format("wrote {} to {} ({} charts)", printable(charts.front().first, 1000),
+                         printable(charts.back().first, 1000), charts.size()));
+    if (!options.svg.empty() && charts.empty()) tell("note: no chart is written: no ray of the kind was traced");
 }
 
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context) {
@@ -234,13 +253,10 @@ int run_divergence(const CommonOptions& common, const DivergenceOptions& options
                     charts.emplace_back(numbered(options.svg, charts.size()),
                                         chart_svg(width_chart(*report), context.stop));
             }
-        all.push_back({{"settings", kd::json_of(walked.session)},
-                       {"scene", kd::json_of(walked.scene)},
-                       {"divergence", reports},
-                       {"measured_on", kd::json_of(on)}});
+        all.push_back(scene_report(walked.session, walked.scene, "divergence", std::move(reports), on));
     }
     context.out << (json ? json_text(all) : explanation);
-    write_files(options, csv, charts);
+    write_files(options, csv, charts, context);
     return exit_ok;
 }
 

@@ -45,8 +45,9 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& options);
 
 /// Charts as SVG, each with the path that it goes to.
 using ChartTexts = std::vector<std::pair<std::string, std::string>>;
-/// The table that was asked for as CSV, and the charts.
-void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts);
+/// The table that was asked for as CSV, and the charts; says so, a line each.
+void write_files(const DivergenceOptions& options, const std::string& csv, const ChartTexts& charts,
+                 const CommandContext& context);
 
 /// Efficiency against width, per scene, traversal and kind of ray.
 int run_divergence(const CommonOptions& common, const DivergenceOptions& options, bool json, CommandContext& context);

@@ -6,6 +6,7 @@
 
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/commands/stats_trees.h"
 #include "app/report/chart_files.h"
@@ -14,7 +15,6 @@
 #include "app/report/visits_chart.h"
 #include "app/scenes.h"
 #include "renderer/geometry/input_error.h"
-#include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/node_visits.h"
 #include "viz/csv.h"
@@ -28,14 +28,18 @@ constexpr std::int64_t lines = 200'000;
 
 /// The rays of one kind in one tree.
 struct Row {
-    std::string builder, rays;
+    std::string builder, rays, whose;  // "paper", "primary", "primary rays"
     NodeVisits visits;
     VisitAgreement agreed;
 };
 
 Row count_row(const WalkedScene& walked, std::optional<Pass> rays, CommandContext& context) {
     const Session& s = walked.session;
-    Row row{s.build.builder, rays ? std::string(ray_names[std::size_t(*rays)]) : "uniform lines", {}, {}};
+    Row row{s.build.builder, "uniform lines", "uniform lines", {}, {}};
+    if (rays) {
+        row.rays = ray_names[std::size_t(*rays)];
+        row.whose = row.rays + " rays";
+    }
     ProgressLine progress(context);
     const auto show = [&](float done) {
         progress.show(done, fmt::format("{}: {}, {}", s.scene, row.builder, row.rays));
@@ -48,40 +52,73 @@ Row count_row(const WalkedScene& walked, std::optional<Pass> rays, CommandContex
     return row;
 }
 
-std::string number(double value) { return fmt::format("{:.2f}", value); }
-std::string rho_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
 std::string ratio_text(double counted, double predicted) {
-    return predicted > 0 ? fmt::format("{:.2f}", counted / predicted) : "-";
+    return decimals_text(predicted > 0 ? counted / predicted : NAN, 2);
 }
 
-void print(std::ostream& out, const std::vector<Row>& rows) {
-    using enum TextTable::Align;
-    TextTable table({{"builder", left},
-                     {"rays", left},
-                     {"in the tree"},
-                     {"interior"},
-                     {"predicted"},
-                     {"ratio"},
-                     {"leaves"},
-                     {"predicted"},
-                     {"ratio"},
-                     {"tests"},
-                     {"predicted"},
-                     {"ratio"},
-                     {"rho"},
-                     {"interior"},
-                     {"leaves"}});
-    for (const Row& row : rows) {
-        std::vector<std::string> cells{row.builder, row.rays, fmt::format("{}", row.visits.rays)};
-        const VisitsPerRay &counted = row.agreed.counted, &predicted = row.agreed.predicted;
-        for (const auto part : {&VisitsPerRay::interior, &VisitsPerRay::leaves, &VisitsPerRay::tests})
-            cells.insert(cells.end(),
-                         {number(counted.*part), number(predicted.*part), ratio_text(counted.*part, predicted.*part)});
-        for (const double rho : {row.agreed.rho, row.agreed.rho_interior, row.agreed.rho_leaves})
-            cells.push_back(rho_text(rho));
+/// One line of the table: a column per builder, or per kind of rays.
+struct Quantity {
+    const char* title;
+    std::string (*text)(const Row&);
+};
+
+template <double VisitsPerRay::*part>
+std::string counted_text(const Row& row) {
+    return decimals_text(row.visits.rays > 0 ? row.agreed.counted.*part : NAN, 2);
+}
+template <double VisitsPerRay::*part>
+std::string predicted_text(const Row& row) {
+    return decimals_text(row.visits.rays > 0 ? row.agreed.predicted.*part : NAN, 2);
+}
+template <double VisitsPerRay::*part>
+std::string ratio_text(const Row& row) {
+    return ratio_text(row.agreed.counted.*part, row.agreed.predicted.*part);
+}
+template <double VisitAgreement::*rho>
+std::string rho_text(const Row& row) {
+    return decimals_text(row.agreed.*rho, 3);
+}
+
+constexpr Quantity quantities[] = {
+    {"rays in the tree", [](const Row& row) { return fmt::format("{}", row.visits.rays); }},
+    {"interior visits per ray", counted_text<&VisitsPerRay::interior>},
+    {"  predicted", predicted_text<&VisitsPerRay::interior>},
+    {"  ratio", ratio_text<&VisitsPerRay::interior>},
+    {"leaf visits per ray", counted_text<&VisitsPerRay::leaves>},
+    {"  predicted", predicted_text<&VisitsPerRay::leaves>},
+    {"  ratio", ratio_text<&VisitsPerRay::leaves>},
+    {"triangle tests per ray", counted_text<&VisitsPerRay::tests>},
+    {"  predicted", predicted_text<&VisitsPerRay::tests>},
+    {"  ratio", ratio_text<&VisitsPerRay::tests>},
+    {"rho of all nodes", rho_text<&VisitAgreement::rho>},
+    {"  of interior nodes", rho_text<&VisitAgreement::rho_interior>},
+    {"  of leaves", rho_text<&VisitAgreement::rho_leaves>},
+};
+
+/// The rows of which `same` is `corner`, side by side under what `differs`.
+void print(std::ostream& out, const std::vector<Row>& rows, std::string Row::*same, const std::string& corner,
+           std::string Row::*differs) {
+    std::vector<TextTable::Column> columns{{.title = corner, .align = TextTable::Align::left, .repeats = true}};
+    for (const Row& row : rows)
+        if (row.*same == corner) columns.push_back({row.*differs});
+    TextTable table(columns);
+    for (const Quantity& quantity : quantities) {
+        std::vector<std::string> cells{quantity.title};
+        for (const Row& row : rows)
+            if (row.*same == corner) cells.push_back(quantity.text(row));
         table.add_row(cells);
     }
-    table.print(out);
+    table.print(out, terminal_width());
+}
+
+/// Of one builder a column per kind of rays; else a table per kind of rays, with all builders side by side.
+void print(std::ostream& out, const std::vector<Row>& rows, bool every_builder) {
+    if (!every_builder) return print(out, rows, &Row::builder, rows.front().builder, &Row::rays);
+    for (const Row& first : rows) {
+        if (first.builder != rows.front().builder) return;
+        if (&first != &rows.front()) out << '\n';
+        print(out, rows, &Row::whose, first.whose, &Row::builder);
+    }
 }
 
 Json json_of(const VisitsPerRay& visits) {
@@ -89,24 +126,60 @@ Json json_of(const VisitsPerRay& visits) {
 }
 
 Json json_of(const Row& row) {
-    const auto number_or_null = [](double value) { return std::isnan(value) ? Json(nullptr) : Json(value); };
     return {{"builder", row.builder},
             {"rays", json_key(row.rays)},
             {"in_the_tree", row.visits.rays},
             {"counted_per_ray", json_of(row.agreed.counted)},
             {"predicted_per_ray", json_of(row.agreed.predicted)},
-            {"rho", number_or_null(row.agreed.rho)},
-            {"rho_interior", number_or_null(row.agreed.rho_interior)},
-            {"rho_leaves", number_or_null(row.agreed.rho_leaves)}};
+            {"rho", finite_or_null(row.agreed.rho)},
+            {"rho_interior", finite_or_null(row.agreed.rho_interior)},
+            {"rho_leaves", finite_or_null(row.agreed.rho_leaves)}};
+}
+
+/// What goes into files beside the table.
+struct Files {
+    const DivergenceOptions& options;
+    std::string csv;
+    ChartTexts charts{};
+
+    void add(const WalkedScene& walked, const Row& row, const CommandContext& context) {
+        const std::string& scene = walked.session.scene;
+        if (!options.csv.empty()) csv += visits_csv(scene, row.builder, row.rays, walked.tree, row.visits);
+        if (options.svg.empty() || row.visits.rays == 0) return;
+        const std::string subject = fmt::format("{}, {}", row.whose, row.builder);
+        charts.emplace_back(numbered(options.svg, charts.size()),
+                            chart_svg(visit_scatter(walked.tree, row.visits, subject).chart, context.stop));
+    }
+};
+
+void build_with(WalkedScene& walked, const std::string& builder, const CommandContext& context) {
+    Session& s = walked.session;
+    if (s.build.builder == builder) return;
+    s.build.builder = builder;
+    walked.tree = build_tree(walked.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
+    check_stop(context);
+}
+
+/// Lines first, then every kind of the picture's rays, of one builder after the other.
+std::vector<Row> count_rows(WalkedScene& walked, bool every_builder, Files& files, CommandContext& context) {
+    std::vector<std::optional<Pass>> kinds{std::nullopt};
+    for (const Pass rays : rays_of(walked.scene, walked.session.trace, files.options)) kinds.emplace_back(rays);
+    std::vector<Row> rows;
+    for (const std::string& builder : builders_of(walked.session, every_builder)) {
+        build_with(walked, builder, context);
+        for (const std::optional<Pass> rays : kinds) {
+            rows.push_back(count_row(walked, rays, context));
+            files.add(walked, rows.back(), context);
+        }
+    }
+    return rows;
 }
 
 constexpr const char* explanation =
-    "\nVisits and triangle tests per ray that meets the tree's bounds, counted, and as the surface area heuristic "
-    "predicts them.\n"
-    "rho: Spearman's rank correlation of counted and predicted visits over all nodes, interior nodes, leaves.\n"
-    "uniform lines: all alike likely, and nothing stops them: what the heuristic takes rays for. docs/predicted.md "
-    "reads "
-    "the table.\n";
+    "\nVisits of nodes and triangle tests per ray that meets the tree's bounds, counted, and as the surface\n"
+    "area heuristic predicts them; ratio: counted over predicted. rho: Spearman's rank correlation of\n"
+    "counted and predicted visits, node by node. uniform lines: all alike likely, and nothing stops them:\n"
+    "what the heuristic takes rays for. docs/predicted.md reads the table.\n";
 
 }  // namespace
 
@@ -116,44 +189,19 @@ int run_predicted(const CommonOptions& common, const DivergenceOptions& options,
         throw InputError("--traversal naive: the loop over all triangles visits no nodes; choose another");
     check_outputs({{"--csv", options.csv}, {"--svg", options.svg, ".svg"}}, {});
     const MeasuredOn on = measured_on(common.session, {"scene", "tracer"});
-    std::string csv = csv_comments(on.lines()) + visits_csv_head();
+    Files files{options, csv_comments(on.lines()) + visits_csv_head()};
     Json all = Json::array();
-    ChartTexts charts;
     for (const std::string& name : common.scenes) {
         WalkedScene walked = open_walked(common, name, context);
-        const Session& s = walked.session;
         if (!json) context.out << (name == common.scenes.front() ? "" : "\n") << heading_of(walked);
-        std::vector<Row> rows;
-        for (const std::string& builder : builders_of(s, every_builder)) {
-            if (s.build.builder != builder) {
-                walked.session.build.builder = builder;
-                walked.tree = build_tree(walked.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
-                check_stop(context);
-            }
-            std::vector<std::optional<Pass>> kinds{std::nullopt};
-            for (const Pass rays : rays_of(walked.scene, s.trace, options)) kinds.emplace_back(rays);
-            for (const std::optional<Pass> rays : kinds) {
-                rows.push_back(count_row(walked, rays, context));
-                const Row& row = rows.back();
-                const std::string whose = rays ? row.rays + " rays" : row.rays;
-                if (!options.csv.empty()) csv += visits_csv(name, builder, row.rays, walked.tree, row.visits);
-                if (!options.svg.empty() && row.visits.rays > 0)
-                    charts.emplace_back(
-                        numbered(options.svg, charts.size()),
-                        chart_svg(visit_scatter(walked.tree, row.visits, fmt::format("{}, {}", whose, builder)).chart,
-                                  context.stop));
-            }
-        }
-        if (!json) print(context.out, rows);
+        const std::vector<Row> rows = count_rows(walked, every_builder, files, context);
+        if (!json) print(context.out, rows, every_builder);
         Json table = Json::array();
         for (const Row& row : rows) table.push_back(json_of(row));
-        all.push_back({{"settings", kd::json_of(s)},
-                       {"scene", kd::json_of(walked.scene)},
-                       {"visits", table},
-                       {"measured_on", kd::json_of(on)}});
+        all.push_back(scene_report(walked.session, walked.scene, "visits", std::move(table), on));
     }
     context.out << (json ? json_text(all) : explanation);
-    write_files(options, csv, charts);
+    write_files(options, files.csv, files.charts, context);
     return exit_ok;
 }
 

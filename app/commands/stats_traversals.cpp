@@ -6,11 +6,11 @@
 #include "app/cli/counted.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
-#include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/walk_table.h"
 #include "renderer/scene/camera.h"
@@ -44,7 +44,7 @@ void print(std::ostream& out, const Table& table, const FlatScene& scene, const 
                     {"tests"},
                     {"ways back"},
                     {"of stack"},
-                    {"published", left}});
+                    {"published", left, /*may_drop=*/true}});
     for (const WalkRow& row : table.rows) {
         const CounterTotals& t = table.totals(row);
         const auto number = [&](std::uint64_t sum) { return fmt::format("{:.2f}", double(sum) / double(t.rays)); };
@@ -52,7 +52,7 @@ void print(std::ostream& out, const Table& table, const FlatScene& scene, const 
                       number(t.triangle_tests), number(t.restarts + t.backtracks),
                       fmt::format("{:.2f}", table.of_stack(row)), row.variant.published});
     }
-    text.print(out);
+    text.print(out, terminal_width());
 }
 
 Json json_of(const Table& table) {
@@ -83,12 +83,11 @@ std::string csv_of(const Table& table) {
 constexpr const char* csv_head =
     "scene,rays,walk,ray_count,interior_first,interior_again,leaves,triangle_tests,restarts,backtracks,of_stack\n";
 
-constexpr const char* explanation = "\ninterior: visits of interior nodes; again: of nodes that the ray had been at.\n"
-                                    "ways back: restarts and climbs; of ropes, rays that kd-restart took over. of "
-                                    "stack: interior visits over the stack's.\n"
-                                    "published: Popov et al. 2007, Table 2, down steps of primary rays in four scenes; "
-                                    "Horn et al. 2007; the paper, section "
-                                    "4.3.\n";
+constexpr const char* explanation =
+    "\ninterior: visits of interior nodes; again: of nodes that the ray had been at. ways back: restarts\n"
+    "and climbs; of ropes, rays that kd-restart took over. of stack: interior visits over the stack's.\n"
+    "published (below its row where lines are too short): the same ratio by Popov et al. 2007, Table 2,\n"
+    "down steps of primary rays in four scenes; Horn et al. 2007; the paper, section 4.3.\n";
 
 }  // namespace
 
@@ -116,7 +115,7 @@ int run_traversals(const CommonOptions& common, const DivergenceOptions& options
         }
     }
     context.out << (json ? json_text(all) : explanation);
-    if (!options.csv.empty()) write_file(options.csv, csv);
+    write_files(options, csv, {}, context);
     return exit_ok;
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
+#include <span>
 
-#include "app/cli/idle_options.h"
+#include "app/cli/counted.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
@@ -14,6 +16,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/measure/ray_count.h"
+#include "renderer/measure/timing.h"
 
 namespace kd {
 
@@ -23,7 +26,8 @@ namespace {
 struct Entry {
     std::string builder;
     TreeStats stats;
-    BuildReport build;
+    BuildReport build;                             // of a round of the middle
+    TimeSummary build_time;                        // of all rounds
     std::array<CounterTotals, pass_count> visits;  // of the rays that the session's picture takes, by the CPU
     std::optional<GlMemory> gl;
     std::string gl_refused;  // why there is no `gl`
@@ -89,7 +93,9 @@ std::string leaf_shares_text(const Entry& e) {
 
 std::string phases_text(const Entry& e) {
     const BuildPhases& p = e.build.phases;
-    return fmt::format("{:.0f}/{:.0f}/{:.0f}/{:.0f}", 1e3 * p.prepare, 1e3 * p.choose, 1e3 * p.divide, 1e3 * p.leaves);
+    const int decimals = p.sum() < 0.01 ? 1 : 0;
+    return fmt::format("{:.{}f}/{:.{}f}/{:.{}f}/{:.{}f}", 1e3 * p.prepare, decimals, 1e3 * p.choose, decimals,
+                       1e3 * p.divide, decimals, 1e3 * p.leaves, decimals);
 }
 
 template <Pass rays>
@@ -127,8 +133,8 @@ constexpr Quantity quantities[] = {
     {"visits: shadow rays", visits_text<Pass::shade_prim>},
     {"visits: reflection rays", visits_text<Pass::rt_refl>},
     {"visits: reflection-shadow rays", visits_text<Pass::shade_refl>},
-    {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", 1e3 * e.build.seconds); }},
-    {"sort/choose/divide/leaves, ms", phases_text},
+    {"build, ms", [](const Entry& e) { return fmt::format("{:.1f}", e.build_time.median_ms); }},
+    {"prepare/choose/divide/leaves, ms", phases_text},
     {"limits hit",
      [](const Entry& e) {
          const std::string depth = e.build.depth_limit_hit ? "depth" : "";
@@ -153,7 +159,8 @@ Json json_of(const Entry& e) {
     Json visits = Json::object();
     for (std::size_t rays = 0; rays < pass_count; ++rays) visits[option_name(Pass(rays))] = kd::json_of(e.visits[rays]);
     Json json{{"builder", e.builder},
-              {"build_ms", 1e3 * e.build.seconds},
+              {"build_ms", e.build_time.median_ms},
+              {"build_time", kd::json_of(e.build_time)},
               {"build_phases", kd::json_of(e.build.phases)},
               {"idle_hand_splits", e.build.idle_hand_splits},
               {"visits", visits},
@@ -170,10 +177,22 @@ Json json_of(const Entry& e) {
     return json;
 }
 
+std::string footer(const Session& session, const std::vector<Entry>& entries) {
+    const auto rounds = std::size_t(entries.front().build_time.samples);
+    return fmt::format(
+        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests per\n"
+        "ray, counted on the CPU in a {}x{} picture with {}.\n"
+        "Build: medians of {}{} after a warm-up, by the wall clock on {};\nphases of the build are added over its "
+        "threads.\n",
+        session.width, session.height, info(session.trace.traversal).name, counted(rounds, "round"),
+        entries.size() > 1 ? ", builders in turn," : "",
+        counted(std::size_t(measured_on(session.threads, session.seed).threads), "thread"));
+}
+
 void print(std::ostream& out, const Session& session, const FlatScene& scene, const std::vector<Entry>& entries) {
     out << fmt::format("{}: {}\n", session.scene, contents_text(scene));
     for (const std::string& note : scene.notes) out << "note: " << note << '\n';
-    std::vector<TextTable::Column> columns{{"builder", TextTable::Align::left}};
+    std::vector<TextTable::Column> columns{{.title = "builder", .align = TextTable::Align::left, .repeats = true}};
     for (const Entry& entry : entries) columns.push_back({entry.builder});
     TextTable table(columns);
     for (const Quantity& quantity : quantities) {
@@ -181,16 +200,12 @@ void print(std::ostream& out, const Session& session, const FlatScene& scene, co
         for (const Entry& entry : entries) cells.push_back(quantity.text(entry));
         table.add_row(cells);
     }
-    table.print(out);
-    out << fmt::format(
-        "Expected: of a uniform line that meets the bounds. Visits: interior nodes/leaves/triangle tests "
-        "per ray,\ncounted on the CPU in a {}x{} picture with {}. Phases of the build: added over "
-        "threads.\n",
-        session.width, session.height, info(session.trace.traversal).name);
+    table.print(out, terminal_width());
+    out << footer(session, entries);
     for (const Entry& entry : entries)
         for (const std::string& note : build_notes(entry.build))
             if (note != reference_cap_note) out << fmt::format("note: {}: {}\n", entry.builder, note);
-    out << fmt::format("GL memory is that of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
+    out << fmt::format("GL: memory of gl-fragment with {}, nodes of {} bytes, {} lists and a {}x{} picture.\n",
                        info(session.trace.traversal).name, bytes_of(nodes_in_force(session.trace)),
                        name_of(session.trace.leaf_lists), session.width, session.height);
     for (const Entry& entry : entries)
@@ -210,7 +225,7 @@ Entry measure(MeasuredScene& of, const std::string& builder, GlProbe& probe, Pro
     const FlatScene& scene = of.scene;
     Session session = of.session;
     session.build.builder = builder;
-    Entry entry{builder, {}, {}, {}, {}, {}};
+    Entry entry{builder, {}, {}, {}, {}, {}, {}};
     const auto show = [&](float done) { progress.show(done, session.scene + ": " + builder); };
     const KdTree tree = build_tree(scene.triangles, session.build, &entry.build, show, context.stop, session.threads);
     check_stop(context);
@@ -223,6 +238,42 @@ Entry measure(MeasuredScene& of, const std::string& builder, GlProbe& probe, Pro
     entry.visits = pass_totals(frame, *of.rays);
     probe.measure(scene, tree, session, entry);
     return entry;
+}
+
+/// Builds that take a second together are timed often, longer ones three times.
+const TimingPlan build_rounds{.warmup = 1, .rounds = 15, .budget_s = 1, .least_rounds = 3};
+
+/// Each phase's own median: small cells are timed by sample, which a single interruption may upset.
+BuildPhases median_phases(std::span<const BuildPhases> rounds) {
+    BuildPhases medians;
+    for (const auto phase : {&BuildPhases::prepare, &BuildPhases::choose, &BuildPhases::divide, &BuildPhases::leaves})
+        medians.*phase = summarise(rounds, [phase](const BuildPhases& p) { return p.*phase; }).median_ms;
+    return medians;
+}
+
+/// Builds all the trees again, in turn.
+void time_builds(const MeasuredScene& of, std::vector<Entry>& entries, ProgressLine& progress,
+                 const CommandContext& context) {
+    std::vector<std::vector<BuildPhases>> phases(entries.size());
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        BuildConfig config = of.session.build;
+        config.builder = entries[i].builder;
+        contestants.push_back({config.builder, [&, i, config] {
+                                   progress.show(0, of.session.scene + ": timing " + config.builder);
+                                   BuildReport report;
+                                   (void)build_tree(of.scene.triangles, config, &report, {}, context.stop,
+                                                    of.session.threads);
+                                   check_stop(context);
+                                   phases[i].push_back(report.phases);
+                                   return TimeSample{1e3 * report.seconds};
+                               }});
+    }
+    const std::vector<TimedRounds> timed = time_in_turn(contestants, build_rounds);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        entries[i].build_time = timed[i].total();
+        entries[i].build.phases = median_phases(std::span(phases[i]).subspan(build_rounds.warmup));
+    }
 }
 
 }  // namespace
@@ -248,6 +299,7 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
         std::vector<Entry> entries;
         for (const std::string& builder : builders_of(session, every_builder))
             entries.push_back(measure(of, builder, probe, progress, context));
+        time_builds(of, entries, progress, context);
         if (!as_json) {
             if (name != options.scenes.front()) context.out << '\n';
             print(context.out, session, of.scene, entries);
@@ -255,10 +307,8 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
         }
         Json trees = Json::array();
         for (const Entry& entry : entries) trees.push_back(json_of(entry));
-        json.push_back({{"settings", kd::json_of(session)},
-                        {"scene", kd::json_of(of.scene)},
-                        {"trees", trees},
-                        {"measured_on", kd::json_of(measured_on(session.threads, session.seed))}});
+        json.push_back(
+            scene_report(session, of.scene, "trees", std::move(trees), measured_on(session.threads, session.seed)));
     }
     if (as_json) context.out << json_text(json);
     return exit_ok;

@@ -70,6 +70,10 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     if (needs_visits(s.view)) {
         r.visits = count_node_visits(walks, context.stop, show("counting visits"));
         if (!r.visits) throw Interrupted();
+        if (r.visits->rays == 0)
+            context.err << fmt::format(
+                "kdscope: note: --overlay-colour has nothing to show: no {} ray meets the tree\n",
+                ray_names[std::size_t(r.visits->kind)]);
     }
     return r;
 }

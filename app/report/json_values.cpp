@@ -186,6 +186,10 @@ Json json_of(const MeasuredOn& on) {
     return json;
 }
 
+Json scene_report(const Session& session, const FlatScene& scene, const char* key, Json rows, const MeasuredOn& on) {
+    return with_machine({{"settings", json_of(session)}, {"scene", json_of(scene)}, {key, std::move(rows)}}, on);
+}
+
 Json with_machine(Json report, const MeasuredOn& on) {
     report["measured_on"] = json_of(on);
     return report;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,6 +23,9 @@ using Json = nlohmann::ordered_json;
 
 /// The shortest decimal that gives `value` back, as a JSON number; null where it is not finite.
 [[nodiscard]] Json json_number(float value);
+
+/// null where there is none, NaN.
+[[nodiscard]] inline Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// null where it is negative, which says that nothing was measured.
 [[nodiscard]] inline Json or_null(double value) { return value < 0 ? Json(nullptr) : Json(value); }
@@ -46,6 +50,10 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const MeasuredOn& on);
 /// A report with the machine that made it, under "measured_on".
 [[nodiscard]] Json with_machine(Json report, const MeasuredOn& on);
+
+/// What a table says of one scene: what was chosen, the scene, its rows under `key`, the machine.
+[[nodiscard]] Json scene_report(const Session& session, const FlatScene& scene, const char* key, Json rows,
+                                const MeasuredOn& on);
 
 /// Indented text with a line end; text that is not UTF-8 is replaced, never thrown at.
 [[nodiscard]] std::string json_text(const Json& value);

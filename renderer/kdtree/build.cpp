@@ -91,6 +91,8 @@ std::vector<std::string> build_notes(const BuildReport& report) {
         notes.push_back(
             fmt::format("{} of {} planes by hand not used: no such node, or the plane is not inside its cell",
                         report.idle_hand_splits, report.hand_splits));
+    if (report.tests_cost_nothing)
+        notes.emplace_back("one leaf holds all triangles: where tests cost nothing no split pays; raise t_i");
     return notes;
 }
 
@@ -121,6 +123,8 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     };
     std::optional<KdTree> tree = grow(Refusal::whole_tree);
     if (!tree) tree = grow(Refusal::each_cell);
+    told.tests_cost_nothing =
+        config.intersection_cost == 0 && tree->nodes.size() == 1 && int(triangles.size()) > config.leaf_size;
     told.seconds = seconds_since(begin);
     return *std::move(tree);
 }

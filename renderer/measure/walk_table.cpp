@@ -16,7 +16,7 @@ std::vector<WalkVariant> walk_variants(const TraceConfig& base) {
         variants.back().config.traversal = traversal;
         return variants.back().config;
     };
-    add("stack", Traversal::stack, "1");
+    add("stack", Traversal::stack, "");
     add("stack, entry points of 8x8 tiles", Traversal::stack, "").entry_tile = 8;
     add("kd-restart", Traversal::restart, "1.77 - 3.33 (Popov), 4 - 5 (the paper)");
     add("push-down", Traversal::push_down, "");

@@ -38,5 +38,17 @@ TEST(BuildNote, VerifyTellsTheReferenceCap) {
     expect_told_at_the_cap(verify, "note: paper: ");
 }
 
+TEST(BuildNote, TestsThatCostNothingMakeOneLeafAndThatIsTold) {
+    const auto told = [](const std::vector<std::string>& more) {
+        std::vector<std::string> command{"stats", "ball:300", "--size", "8x8"};
+        command.insert(command.end(), more.begin(), more.end());
+        return run_kdscope(command).out.find("where tests cost nothing no split pays") != std::string::npos;
+    };
+    EXPECT_TRUE(told({"--intersection-cost", "0"}));
+    EXPECT_TRUE(told({"--intersection-cost", "0", "--builder", "spatial-median"}));
+    EXPECT_FALSE(told({"--intersection-cost", "0.1"}));
+    EXPECT_FALSE(told({"--intersection-cost", "0", "--leaf-size", "1000"})) << "it would be a leaf anyway";
+}
+
 }  // namespace
 }  // namespace kd

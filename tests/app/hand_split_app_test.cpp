@@ -66,10 +66,11 @@ TEST(HandSplitOption, BadOnesAreRefusedInOneLine) {
     const auto refused = [](const std::string& given, const std::vector<std::string>& words) {
         expect_usage_error(run_kdscope({"stats", "ball:300", "--split", given}), words);
     };
-    refused("0.5", {"--split", "'0.5' is not PATH:AXIS:AT, such as ba:x:0.5"});
-    refused("b:x", {"is not PATH:AXIS:AT"});
-    refused("b:w:1", {"unknown axis 'w'", "x, y, z"});
-    refused("b:x:far", {"'far' is not a finite number"});
+    refused("0.5", {"--split", "'0.5': not PATH:AXIS:AT, such as ba:x:0.5"});
+    refused("b:x", {"'b:x': not PATH:AXIS:AT"});
+    refused("b:w:1", {"'b:w:1': unknown axis 'w'", "x, y, z"});
+    refused("B:X:1", {"'B:X:1': a path is made of b"});
+    refused("b:x:far", {"'b:x:far': position 'far' is not a finite number"});
     refused("b:x:inf", {"'inf' is not a finite number"});
     refused("ab0:x:1", {"a path is made of b (the child below) and a (the child above)"});
     refused(std::string(70, 'a') + ":x:1", {"no tree is 71 levels deep"});

@@ -138,6 +138,20 @@ TEST(PredictedCommand, CellsInColoursOnAPicture) {
     }
 }
 
+TEST(PredictedCommand, CellsWithoutRaysAreToldOnce) {
+    const TestFolder folder;
+    const auto notes = [&](const char* rays) {
+        const Outcome ran = run_kdscope({"render", "rooms", "-o", folder.file("a.png"), "--size", "16x16", "--overlay",
+                                         "--overlay-colour", "ratio", "--rays", rays});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.err;
+    };
+    EXPECT_EQ(notes("reflection"),
+              "kdscope: note: --overlay-colour has nothing to show: no reflection ray meets the tree\n")
+        << "rooms has no mirror";
+    EXPECT_EQ(notes("shadow"), "");
+}
+
 TEST(EngineVisits, CountsWhatIsShownAndRecoloursTheCells) {
     Session session = small_session();
     Engine engine(session, quiet());

@@ -29,10 +29,18 @@ TEST(Stats, AllBuildersSideBySide) {
         EXPECT_EQ(tree["tree"]["triangles"], 34);
         EXPECT_EQ(tree["tree"]["node_bytes"], 16 * tree["tree"]["nodes"].get<int>());
         EXPECT_GT(tree["tree"]["sah_cost"], 0);
+        EXPECT_GE(tree["build_time"]["samples"], 3) << "a single time tells the machine's mood";
+        EXPECT_EQ(tree["build_ms"], tree["build_time"]["median"]);
     }
     const test::Outcome table = run_kdscope({"stats", "cornell"});
     EXPECT_NE(table.out.find("memory: lists of copies"), std::string::npos);
     EXPECT_NE(table.out.find("paper"), std::string::npos);
+    for (const auto& phase : data[0]["trees"][0]["build_phases"].items()) {
+        const std::string name = phase.key().substr(0, phase.key().find("_ms"));
+        EXPECT_NE(table.out.find(name), std::string::npos) << "the same word for people";
+    }
+    for (const char* told : {"medians of", "after a warm-up", "by the wall clock on"})
+        EXPECT_NE(table.out.find(told), std::string::npos) << told;
 }
 
 /// What every report says of itself must tell one under other rules from one under the usual.
@@ -248,12 +256,36 @@ TEST(TextTable, WhatMayDropStandsBelowItsRowWhereTheTableIsTooWide) {
                             "b        7\n");
 }
 
+TEST(TextTable, GoesInPartsWithItsFirstColumnWhereItIsTooWide) {
+    TextTable table({{.title = "name", .align = TextTable::Align::left, .repeats = true}, {"one"}, {"two"}, {"three"}});
+    table.add_row({"a", "1", "2", "3"});
+    std::ostringstream wide, narrow, least;
+    table.print(wide, 21);
+    table.print(narrow, 15);
+    table.print(least, 2);
+    EXPECT_EQ(wide.str(), "name  one  two  three\na       1    2      3\n");
+    EXPECT_EQ(narrow.str(), "name  one  two\na       1    2\n\nname  three\na         3\n");
+    EXPECT_EQ(least.str(), "name  one\na       1\n\nname  two\na       2\n\nname  three\na         3\n");
+}
+
 /// The longest line in letters.
 std::size_t widest(const std::string& text) {
     std::size_t most = 0;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) most = std::max(most, decode_utf8(line).size());
     return most;
+}
+
+TEST(Stats, TablesKeepWithinAHundredLetters) {
+    for (const Words& table :
+         {Words{"--builders"}, Words{"--predicted"}, Words{"--predicted", "--builders"}, Words{"--traversals"},
+          Words{"--divergence", "--traversal", "stack"}, Words{"--bonus"}}) {
+        Words command{"stats", "cornell", "--size", "16x12"};
+        command.insert(command.end(), table.begin(), table.end());
+        const test::Outcome outcome = run_kdscope(command);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_LE(widest(outcome.out), usual_width) << outcome.out;
+    }
 }
 
 TEST(Needs, TableKeepsWithinAHundredLetters) {

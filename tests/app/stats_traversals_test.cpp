@@ -36,11 +36,12 @@ TEST(StatsTraversals, CountsEveryWalkOverTheStacks) {
     const Json& table = report[0];
     EXPECT_EQ(table["walks"].size(), walk_variants({}).size());
     EXPECT_EQ(row(table, "stack")["of_stack"], 1.0);
-    EXPECT_GT(row(table, "kd-restart")["of_stack"], 2.0);
-    EXPECT_LT(row(table, "push-down")["of_stack"], row(table, "kd-restart")["of_stack"]);
-    EXPECT_LT(row(table, "short stack, 4 entries")["of_stack"], 1.03) << "Horn et al. 2007";
-    EXPECT_LT(row(table, "ropes, plain")["of_stack"], 1.05) << "Popov et al. 2007";
-    EXPECT_LT(row(table, "ropes, optimised, from the eye's leaf")["of_stack"], 0.5);
+    // Bounds are what was published: Popov et al. 2007, Table 2, and Horn et al. 2007; behind them what is measured.
+    EXPECT_GT(row(table, "kd-restart")["of_stack"], 1.77) << "Popov's least; 3.28";
+    EXPECT_LT(row(table, "push-down")["of_stack"], row(table, "kd-restart")["of_stack"]) << "2.71";
+    EXPECT_LT(row(table, "short stack, 4 entries")["of_stack"], 1.03) << "Horn's 3 %; 1.01";
+    EXPECT_LT(row(table, "ropes, plain")["of_stack"], 1.015) << "Popov's most, 1.01 as printed; 1.005";
+    EXPECT_LT(row(table, "ropes, optimised, from the eye's leaf")["of_stack"], 0.86) << "Popov's most; 0.20";
     EXPECT_FALSE(table["measured_on"]["commit"].get<std::string>().empty());
     const std::string csv = read_file(folder.file("w.csv"));
     EXPECT_NE(csv.find("# commit: "), std::string::npos);

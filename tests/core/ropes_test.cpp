@@ -115,8 +115,10 @@ TEST(Ropes, SpareTheWayDown) {
         const CounterTotals optimised = primary(scene, tree, {.traversal = Traversal::ropes});
         const CounterTotals from_eye = primary(scene, tree, {.traversal = Traversal::ropes, .eye_leaf = true});
         EXPECT_LT(optimised.interior_first, plain.interior_first);
-        EXPECT_LE(plain.interior_first, stack.interior_first * 11 / 10) << "a sibling is where the stack would go on";
-        EXPECT_LT(optimised.restarts, 64u * 64 / 50) << "few rays come too close to an edge";
+        // At worst 1.0004 is measured; Popov et al. (2007) print 1.00 to 1.01.
+        EXPECT_LE(plain.interior_first, stack.interior_first * 101 / 100) << "a sibling is where the stack would go on";
+        // At worst 15 of the 64 x 64 rays are measured, in the rooms; twice as many are 32.
+        EXPECT_LE(optimised.restarts, 32u) << "few rays come too close to an edge";
         // Of the two, only the rooms have the camera within the tree.
         if (name == std::string_view("rooms"))
             EXPECT_LT(from_eye.interior_first, optimised.interior_first);

@@ -53,6 +53,7 @@ TEST_F(WalksFromTheTop, TheSinkingRootSparesVisitsAndNoRestart) {
     const Walked restart = with({.traversal = Traversal::restart}), sinking = with({.traversal = Traversal::push_down});
     EXPECT_EQ(sinking.totals.restarts, restart.totals.restarts);
     EXPECT_EQ(sinking.totals.interior_first, restart.totals.interior_first);
+    // 0.794 of them are measured; a root that stayed would keep all. Halfway between lies 0.9.
     EXPECT_LT(sinking.totals.interior_again, restart.totals.interior_again * 9 / 10);
 }
 
@@ -67,7 +68,8 @@ TEST_F(WalksFromTheTop, EachEntrySparesVisitsUntilNothingIsForgotten) {
         EXPECT_EQ(now.totals.leaves, stack.totals.leaves);
         before = now;
     }
-    EXPECT_LT(before.visits(), stack.visits() * 102 / 100);
+    // 1.000000 is measured: with eight entries hardly a ray forgets anything. Four cost Horn et al. (2007) below 3 %.
+    EXPECT_LT(before.visits(), stack.visits() * 1001 / 1000);
 }
 
 TEST_F(WalksFromTheTop, WithRoomForAllOfItsPathTheShortStackIsAStack) {
