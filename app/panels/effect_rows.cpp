@@ -4,9 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/window/cost_chart.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "renderer/scene/units.h"
+#include "viz/numbers.h"
 
 namespace kd {
 
@@ -62,6 +65,25 @@ void draw_comparison(const EngineState& state, const Edit& edit) {
                 "What the surface area heuristic expects of a random line through the whole tree, in traversal steps.");
 }
 
+/// Those of the tree in use. A click selects the node; one that is not used says why.
+void draw_planes(const EngineState& state, Edit& edit) {
+    const Section section("planes");
+    for (const HandSplit& plane : state.world->built_with.by_hand) {
+        const std::optional<std::string> idle = why_idle(state.world->tree, plane);
+        const std::string text = fmt::format(
+            "{} {} at {}{}", plane.path.empty() ? "root" : plane.path, axis_names[plane.axis],
+            number_text(double(to_scene_units(state.world->scene(), plane.position))), idle ? ": not used" : "");
+        ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::error : theme::selected);
+        if (ImGui::Selectable(text.c_str(), edit.window.node == plane.path)) edit.window.node = plane.path;
+        ImGui::PopStyleColor();
+        Places::note(plane.path.empty() ? "root" : plane.path);
+        widgets::hint(fmt::format("A plane by hand: its node by the way from the root (b below, a above a plane), axis "
+                                  "and place.{}\n\nClick: select the node.",
+                                  idle ? fmt::format(" Not used: {}.", *idle) : ""));
+        if (idle) widgets::note(*idle);
+    }
+}
+
 }  // namespace
 
 void draw_effect(const EngineState& state, Edit& edit) {
@@ -98,6 +120,7 @@ void draw_effect(const EngineState& state, Edit& edit) {
         widgets::note(
             fmt::format("Of {} rays, the map's.{}", rays, effect.now ? "" : " The new picture is on its way."));
     }
+    draw_planes(state, edit);
 }
 
 }  // namespace kd
