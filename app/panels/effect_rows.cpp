@@ -65,23 +65,35 @@ void draw_comparison(const EngineState& state, const Edit& edit) {
                 "What the surface area heuristic expects of a random line through the whole tree, in traversal steps.");
 }
 
-/// Those of the tree in use. A click selects the node; one that is not used says why.
+/// "root", "bab", or of a long path its two ends.
+std::string short_path(const std::string& path) {
+    constexpr std::size_t most = 12, end = 4;
+    if (path.empty()) return "root";
+    return path.size() <= most ? path : path.substr(0, end) + "…" + path.substr(path.size() - end);
+}
+
+/// Of the tree in use. A click selects its node; one that is not used says why.
+void draw_plane(const World& world, const HandSplit& plane, Edit& edit) {
+    const std::optional<std::string> idle = why_idle(world.tree, plane);
+    const std::string name = plane.path.empty() ? "root" : plane.path;
+    const std::string text = fmt::format("{} {} at {}##{}", short_path(plane.path), axis_names[plane.axis],
+                                         number_text(double(to_scene_units(world.scene(), plane.position))), name);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::error : theme::selected);
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, 0};
+    if (ImGui::Selectable(text.c_str(), edit.window.node == plane.path, ImGuiSelectableFlags_None, size))
+        edit.window.node = plane.path;
+    ImGui::PopStyleColor();
+    Places::note(name);
+    widgets::hint(
+        fmt::format("A plane by hand. Its node, by the way from the root (b: below a plane, a: above): {}.{}\n\nClick: "
+                    "select the node.",
+                    name, idle ? fmt::format(" Not used: {}.", *idle) : ""));
+    if (idle) widgets::note("Not used: " + *idle + ".");
+}
+
 void draw_planes(const EngineState& state, Edit& edit) {
     const Section section("planes");
-    for (const HandSplit& plane : state.world->built_with.by_hand) {
-        const std::optional<std::string> idle = why_idle(state.world->tree, plane);
-        const std::string text = fmt::format(
-            "{} {} at {}{}", plane.path.empty() ? "root" : plane.path, axis_names[plane.axis],
-            number_text(double(to_scene_units(state.world->scene(), plane.position))), idle ? ": not used" : "");
-        ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::error : theme::selected);
-        if (ImGui::Selectable(text.c_str(), edit.window.node == plane.path)) edit.window.node = plane.path;
-        ImGui::PopStyleColor();
-        Places::note(plane.path.empty() ? "root" : plane.path);
-        widgets::hint(fmt::format("A plane by hand: its node by the way from the root (b below, a above a plane), axis "
-                                  "and place.{}\n\nClick: select the node.",
-                                  idle ? fmt::format(" Not used: {}.", *idle) : ""));
-        if (idle) widgets::note(*idle);
-    }
+    for (const HandSplit& plane : state.world->built_with.by_hand) draw_plane(*state.world, plane, edit);
 }
 
 }  // namespace

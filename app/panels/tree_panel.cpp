@@ -4,6 +4,7 @@
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -115,8 +116,11 @@ void draw_statistics(const EngineState& state) {
     widgets::value(
         "SAH cost", number_text(s.sah_cost),
         "Expected cost of a random line in traversal steps, by the surface area heuristic. Compare with the map.");
-    widgets::value("memory", fmt::format("{} kB", number_text(double(s.node_bytes + s.reference_list_bytes) / 1024)),
-                   "Nodes at 16 bytes, leaf lists, and the triangles once.");
+    const NodeEncoding nodes = nodes_in_force(state.session.trace);
+    const std::int64_t node_bytes = nodes == NodeEncoding::float4 ? s.node_bytes : s.packed_node_bytes;
+    widgets::value(
+        "memory", fmt::format("{} kB", number_text(double(node_bytes + s.reference_list_bytes) / 1024)),
+        fmt::format("Nodes at {} bytes as TRACING has them, leaf lists, and the triangles once.", bytes_of(nodes)));
     widgets::value("built in", fmt::format("{} ms", number_text(state.last_build_ms)),
                    "Wall clock of the build, on all threads.");
 }

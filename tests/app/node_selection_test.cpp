@@ -192,6 +192,34 @@ TEST_F(NodeSelectionTest, ThinCurvesKeepTheCheapestPlanes) {
     EXPECT_EQ(cheapest->most, 9999) << "of the same part";
 }
 
+TEST_F(NodeSelectionTest, AClickOnATriangleOfTheSliceSelectsIt) {
+    TreeView made;
+    made.world = world;
+    made.cell_of.assign(world->tree.nodes.size(), -1);
+    made.of.slice = {2, world->tree.bounds.centre()[2]};
+    made.slice = slice_cells(world->tree, made.of.slice, max_tree_depth);
+    const Aabb& bounds = world->tree.bounds;
+    const float y = bounds.centre()[1];
+    made.segments = {{7, {bounds.lower[0], y}, {bounds.upper[0], y}}};  // across the middle of the slice
+    state.tree_view.view = std::make_shared<const TreeView>(made);
+    edit.window.pinned = PixelPosition{1, 2};
+    const auto panel = std::ranges::find(panels(), std::string_view(nodes_panel), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); }, 1000);
+    ui.point_at("slice");
+    EXPECT_TRUE(ui.tooltip().starts_with("triangle #7")) << ui.tooltip();
+    ui.click();
+    EXPECT_EQ(edit.window.triangle, 7);
+    EXPECT_FALSE(edit.window.pinned) << "one triangle at a time";
+    EXPECT_FALSE(edit.window.node);
+    const Rectangle slice = ui.place("slice");
+    ui.move_to({slice.x + slice.width / 2, slice.y + slice.height / 2 + 10});
+    ui.click();
+    EXPECT_TRUE(edit.window.node) << "beside it: the leaf";
+    EXPECT_EQ(edit.window.triangle, 7);
+    edits::release(edit);
+    EXPECT_FALSE(edit.window.triangle);
+}
+
 TEST_F(NodeSelectionTest, SplitsLeadsThroughTheTree) {
     const auto panel = std::ranges::find(panels(), std::string_view(splits_panel), &Panel::title);
     test::Ui ui(
