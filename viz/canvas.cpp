@@ -40,17 +40,21 @@ void Column::paragraph(std::string_view text, float size, Rgba8 colour) {
 void Column::row(const std::string& label, const std::string& value, Rgba8 swatch) {
     const float size = style::small_text * float(scale_);
     const int height = font_.line_height(size) + 2 * scale_;
-    drawing(height, [this, label, value, swatch, size, height](Image<Rgba8>& image, int y) {
+    const float indent = swatch.a != 0 ? float(20 * scale_) : 0;
+    const float both = indent + font_.width(label, size) + float(8 * scale_) + font_.width(value, size);
+    if (both > float(width_) && !value.empty() && !label.empty()) {  // the value on a line of its own
+        row(label, "", swatch);
+        return row("", value);
+    }
+    drawing(height, [this, label, value, swatch, indent, size, height](Image<Rgba8>& image, int y) {
         const int baseline = y + scale_ + font_.ascent(size);
-        float x = 0;
         if (swatch.a != 0) {
             const int side = 12 * scale_;
             const int top = y + (height - side) / 2;
             fill_rectangle(image, 0, top, side, top + side, style::line);
             fill_rectangle(image, scale_, top + scale_, side - scale_, top + side - scale_, swatch);
-            x = float(side + 8 * scale_);
         }
-        font_.draw(image, x, baseline, label, size, style::dim_text);
+        font_.draw(image, indent, baseline, label, size, style::dim_text);
         font_.draw(image, float(width_) - font_.width(value, size), baseline, value, size, style::text);
     });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 #include "renderer/geometry/order_statistics.h"
 #include "viz/tree_lines.h"
@@ -15,7 +16,8 @@ namespace kd {
 namespace {
 
 /// Ends of the scale of ratios: a ratio that varies less than twofold should not look wild, and one that varies a
-/// thousandfold leaves no colours to tell two from four.
+/// thousandfold leaves no colours to tell two from four. Beyond them colours are clipped, and the legend says of how
+/// many cells.
 constexpr float least_reach = 2, most_reach = 20;
 
 /// The cells down to a depth, in no order that matters.
@@ -46,7 +48,7 @@ double value_of(CellColour colour, const CellVisits& visits) {
     return std::nan("");
 }
 
-ScalarMap labels_of(CellColour colour, const NodeVisits* visits) {
+ScalarMap labels_of(CellColour colour, const NodeVisits* visits, bool counted) {
     ScalarMap map;
     map.title = colour == CellColour::ratio       ? "cells: visits over predicted"
                 : colour == CellColour::predicted ? "cells: visits predicted"
@@ -57,10 +59,10 @@ ScalarMap labels_of(CellColour colour, const NodeVisits* visits) {
     map.subject = "uniform lines";
     if (!needs_visits(colour)) return map;
     map.subject = fmt::format("{} rays", ray_names[std::size_t(visits ? visits->kind : Pass::rt_prim)]);
-    if (!visits)
-        map.facts.push_back({"visits", "not counted"});
-    else if (visits->rays == 0)
-        map.facts.push_back({"rays in the tree", "none"});
+    if (visits && visits->rays == 0)
+        map.facts.push_back({"visits", "no such rays"});
+    else if (!counted)  // or only in another tree
+        map.facts.push_back({"visits", "not counted yet"});
     return map;
 }
 
@@ -79,15 +81,34 @@ HeatmapConfig from_end_to_end(HeatmapConfig heat, const ScalarMap& map) {
     return heat;
 }
 
+constexpr int ramp_pieces = 36;
+
+/// By depth, as the splits over the picture have it, from the root to the deepest node.
+NodeColours colours_by_depth(const KdTree& tree) {
+    const std::vector<int> depths = node_depths(tree);
+    const int deepest = std::max(1, *std::ranges::max_element(depths));
+    NodeColours colours{{}, {0, float(deepest)}, {}};
+    for (int depth = 0; depth <= deepest; ++depth) colours.ramp.push_back(depth_colour(depth, deepest));
+    colours.of.reserve(depths.size());
+    for (const int depth : depths) colours.of.push_back(colours.ramp[std::size_t(depth)]);
+    return colours;
+}
+
 /// Logarithmic; ratios by as much below 1 as above.
 HeatmapConfig heat_of(CellColour colour, const std::string& colormap, const ScalarMap& map) {
     HeatmapConfig heat{.colormap = colormap, .logarithmic = true};
     if (colour != CellColour::ratio) return from_end_to_end(heat, map);
     if (!get_colormap(colormap).diverging) heat.colormap = "blue-grey-orange";
     std::vector<float> factors;  // away from 1, either way
+    float most = 0;
     for (const float v : map.values.pixels)
-        if (std::isfinite(v) && v > 0) factors.push_back(std::max(v, 1 / v));
-    const float reach = factors.empty() ? least_reach : percentile(factors, 0.9);
+        if (std::isfinite(v) && v > 0) {
+            factors.push_back(std::max(v, 1 / v));
+            most = std::max(most, v);
+        }
+    // The cell that rays crowd around most is what people look for; of those that few reach, the rarest tenth may be
+    // clipped.
+    const float reach = factors.empty() ? least_reach : std::max(percentile(factors, 0.9), most);
     heat.range_mode = RangeMode::fixed;
     heat.range_max = std::clamp(reach, least_reach, most_reach);
     heat.range_min = 1 / heat.range_max;
@@ -112,6 +133,13 @@ std::span<const CellColourInfo> all_cell_colours() {
     return table;
 }
 
+std::string cells_note(const CellScale& scale) {
+    if (scale.summary.count > 0) return "";
+    return fmt::format("cells have no colours by visits: {}",
+                       scale.map.facts.empty() ? "none has a value"
+                                               : fmt::format("{}, {}", scale.map.subject, scale.map.facts[0].value));
+}
+
 bool needs_visits(CellColour colour) { return colour == CellColour::visits || colour == CellColour::ratio; }
 
 CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth, const std::string& colormap,
@@ -122,7 +150,7 @@ CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth, c
     const std::vector<Cell> cells = shallow_cells(tree, max_depth);
     CellColours made;
     CellScale& scale = made.scale;
-    scale.map = labels_of(colour, visits);
+    scale.map = labels_of(colour, visits, counted);
     scale.map.values = Image<float>(int(cells.size()), 1, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!counted && needs_visits(colour)) break;
@@ -137,6 +165,17 @@ CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth, c
     made.of_node.assign(tree.nodes.size(), untraced_colour);
     for (std::size_t i = 0; i < cells.size(); ++i) made.of_node[std::size_t(cells[i].node)] = colours.pixels[i];
     return made;
+}
+
+NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
+                         const NodeVisits* counted) {
+    if (colour == CellColour::depth) return colours_by_depth(tree);
+    if (needs_visits(colour) && !counted) return {};
+    CellColours made = cell_colours(tree, colour, max_tree_depth, colormap, counted);
+    NodeColours colours{std::move(made.of_node), made.scale.summary.range, {}};
+    const Colormap& map = get_colormap(made.scale.heat.colormap);
+    for (int i = 0; i < ramp_pieces; ++i) colours.ramp.push_back(map((float(i) + 0.5f) / ramp_pieces));
+    return colours;
 }
 
 }  // namespace kd

@@ -35,6 +35,9 @@ struct CellColours {
     CellScale scale;
 };
 
+/// One line for people where no cell has a value, such as where the scene has no such rays; else empty.
+[[nodiscard]] std::string cells_note(const CellScale& scale);
+
 /// True where a colour cannot be had without counting.
 [[nodiscard]] bool needs_visits(CellColour colour);
 
@@ -44,5 +47,16 @@ struct CellColours {
 /// What needs `visits` has no values without them, nor where no ray came.
 [[nodiscard]] CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth,
                                        const std::string& colormap, const NodeVisits* visits);
+
+/// What the colours of nodes say.
+struct NodeColours {
+    std::vector<Rgba8> of;    // by node; empty where nobody has counted yet
+    ValueRange range;         // values at the two ends of the colours
+    std::vector<Rgba8> ramp;  // the colours from end to end
+};
+
+/// Of every node of the tree, depths included; `counted` may be null: colours that need it are none then.
+[[nodiscard]] NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
+                                       const NodeVisits* counted);
 
 }  // namespace kd

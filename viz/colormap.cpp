@@ -61,10 +61,10 @@ constexpr Rgba8 colour(std::uint32_t rgb) { return colours({rgb})[0]; }
 
 // Beyond the ends it goes on where it can: darker than the darkest, lighter than the lightest. Maps that begin with
 // black have a dark green for less than that, and those that end light have what they lack, a light green or blue, for
-// more.
+// more. The signed map has green for less: it colours cells, beside which pale blue is the ray's.
 constexpr Rgba8 black = colour(0x000000), white = colour(0xffffff), dark_green = colour(0x0a5f50),
                 pale_blue = colour(0x8fe3ff), blue = colour(0x0072b2), orange = colour(0xe69f00),
-                yellow = colour(0xffe14d);
+                yellow = colour(0xffe14d), green = colour(0x00c853);
 
 constexpr auto table = std::to_array<Colormap>({
     {"viridis", "dark blue to yellow; even steps look even, and stay so without colour vision", false, viridis, black,
@@ -77,8 +77,8 @@ constexpr auto table = std::to_array<Colormap>({
     {"grey", "black to white", false, grey, blue, orange},
     {"turbo", "rainbow; many distinct colours, but neither even nor safe for colour-blind readers", false, turbo, black,
      white},
-    {"blue-grey-orange", "signed numbers: blue below zero, grey at zero, orange above", true, blue_grey_orange,
-     pale_blue, yellow},
+    {"blue-grey-orange", "signed numbers: blue below zero, grey at zero, orange above", true, blue_grey_orange, green,
+     yellow},
 });
 
 constexpr auto categories = colours({0x31536b, 0x56b4e9, 0xe69f00, 0xd55e00, 0xcc79a7, 0x009e73, 0xf0e442, 0x9a9aa2});

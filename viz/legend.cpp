@@ -90,7 +90,7 @@ Image<Rgba8> draw_legend(const ScalarMap& map, const HeatmapConfig& config, cons
     Column column(font, style::legend_width * scale, scale);
     column.paragraph(text.title, style::heading_text, style::text);
     column.paragraph(text.subject, style::small_text, style::dim_text);
-    if (map.categories.empty()) {
+    if (!text.ticks.empty()) {
         column.paragraph(text.scale, style::small_text, style::dim_text);
         add_bar(column, text.ticks, config, summary, map.counted);
         column.gap(2);

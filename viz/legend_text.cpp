@@ -35,19 +35,25 @@ std::vector<LegendTick> ticks_of(const ScalarMap& map, const HeatmapConfig& conf
 }
 
 /// Swatches for what the bar does not hold, where it occurs.
-void add_exceptions(std::vector<LegendRow>& rows, const HeatmapConfig& config, const MapSummary& s) {
+void add_exceptions(std::vector<LegendRow>& rows, const ScalarMap& map, const HeatmapConfig& config,
+                    const MapSummary& s) {
+    const std::string whose = map.counted == "pixels" ? "" : std::string(map.counted) + " ";
     const Colormap& colours = get_colormap(config.colormap);
     const double all = double(s.count + s.missing + s.broken);
     const auto add = [&](std::int64_t pixels, const std::string& label, Rgba8 colour) {
         if (pixels > 0) rows.push_back({label, percent_text(double(pixels), all), colour});
     };
-    add(s.above, "above " + number_text(double(s.range.max)), colours.above);
-    add(s.below, "below " + number_text(double(s.range.min)), colours.below);
+    add(s.above, whose + "above " + number_text(double(s.range.max)), colours.above);
+    add(s.below, whose + "below " + number_text(double(s.range.min)), colours.below);
     add(s.missing, "no value", untraced_colour);
     add(s.broken, "not finite", nan_colour);
 }
 
 void add_quantity(LegendText& text, const ScalarMap& map, const HeatmapConfig& config, const MapSummary& summary) {
+    if (summary.count == 0 && !map.facts.empty()) {  // the facts say why; a scale would be made up
+        for (const MapFact& fact : map.facts) text.rows.push_back({fact.label, fact.value});
+        return;
+    }
     text.scale =
         fmt::format("{} · {} scale", map.unit.empty() ? "share" : map.unit, config.logarithmic ? "log" : "linear");
     text.ticks = ticks_of(map, config, summary.range);
@@ -58,7 +64,7 @@ void add_quantity(LegendText& text, const ScalarMap& map, const HeatmapConfig& c
         text.rows.push_back({"max", number_text(double(summary.max))});
     }
     for (const MapFact& fact : map.facts) text.rows.push_back({fact.label, fact.value});
-    add_exceptions(text.rows, config, summary);
+    add_exceptions(text.rows, map, config, summary);
     // The bar is in full colours; over the image they are fainter.
     if (config.opacity < 1) text.rows.push_back({"opacity", percent_text(double(config.opacity), 1)});
 }

@@ -34,10 +34,10 @@ struct LegendRow {
 };
 
 struct LegendText {
-    std::string title;    // "interior nodes visited"
-    std::string subject;  // "primary rays"
-    std::string scale;    // "visits · log scale"; empty for categories
-    std::vector<LegendTick> ticks;
+    std::string title;              // "interior nodes visited"
+    std::string subject;            // "primary rays"
+    std::string scale;              // "visits · log scale"; empty for categories
+    std::vector<LegendTick> ticks;  // none where there is no bar: of categories, and where nothing has a value
     std::vector<LegendRow> rows;
 };
 

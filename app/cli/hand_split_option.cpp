@@ -26,6 +26,10 @@ void add_hand_split(std::vector<HandSplit>& splits, const std::string& given) {
 
 }  // namespace
 
+std::string hand_split_text(const HandSplit& split) {
+    return fmt::format("{}:{}:{}", split.path, choices::axes()[std::size_t(split.axis)].name, split.position);
+}
+
 CLI::Option* add_split_option(CLI::App& app, std::vector<HandSplit>& splits) {
     const auto take = [&splits](const std::vector<std::string>& given) {
         splits.clear();

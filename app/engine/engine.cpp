@@ -93,6 +93,12 @@ void Engine::set_probes(std::optional<PixelPosition> hovered, std::optional<Pixe
     read_probes();
 }
 
+void Engine::select_triangle(std::optional<int> triangle) {
+    if (triangle == selected_triangle_) return;
+    selected_triangle_ = triangle;
+    read_probes();
+}
+
 void Engine::select_node(const std::optional<std::string>& path, bool costs) {
     wants_costs_ = costs;
     if (path == selected_path_) return;

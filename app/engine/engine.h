@@ -59,6 +59,8 @@ class Engine {
                     std::optional<int> step = std::nullopt);
     /// The node that is selected, by its path. `costs`: those of the planes in its cell are reckoned.
     void select_node(const std::optional<std::string>& path, bool costs);
+    /// A triangle that is selected by its number; the pinned pixel's hit where none is. None the scene does not have.
+    void select_triangle(std::optional<int> triangle);
     /// How the tree is shown beside the picture; columns 0: not at all.
     void show_tree(const TreeViewWish& wish) { tree_wish_ = wish; }
     /// Ends a build that runs; the tree before it stays, or the unfinished one where there is none before.
@@ -134,6 +136,7 @@ class Engine {
     void read_probes();
     void read_step(const PixelReading& probe);
     void read_hit();
+    void read_hit_ray(const PixelReading& probe, HitSelection& hit);
     void read_selection();
     void walk_pinned(const PixelReading& probe);
     [[nodiscard]] PictureView picture_view() const;
@@ -155,7 +158,9 @@ class Engine {
     TracedFrame traced_;                     // newest frame
     std::optional<PixelPosition> hovered_, pinned_;
     std::optional<int> step_;
+    std::optional<int> selected_triangle_;
     std::optional<std::string> selected_path_;
+    std::weak_ptr<const World> selected_in_;  // the tree that state().selected is of
     bool wants_costs_ = false;
     TreeViewWish tree_wish_;
     std::vector<int> walked_leaves_;  // by the ray of this pixel of this frame

@@ -1,5 +1,6 @@
 // What the engine reads out of the picture shown: pixels, the pinned ray, what is selected.
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "app/engine/engine.h"
@@ -73,33 +74,56 @@ void Engine::read_step(const PixelReading& probe) {
 
 void Engine::read_hit() {
     const std::optional<HitSelection> before = std::exchange(state_.hit, std::nullopt);
-    if (!state_.pinned || state_.pinned->primary().hit.triangle < 0) return;
-    const PixelReading& probe = *state_.pinned;
     const TracedFrame& shown = state_.picture->traced;
-    const PictureView view = picture_view();
-    walk_pinned(probe);
+    const std::span<const Triangle> triangles = shown.world->scene().triangles;
+    const bool looks = tree_wish_.columns > 0;  // at the tree, where the pixel under the mouse is shown as well
+    const std::optional<PixelReading>& probe = state_.pinned || !looks ? state_.pinned : state_.hovered;
     HitSelection hit;
-    hit.triangle = probe.primary().hit.triangle;
-    hit.leaf = walked_hit_leaf_;
+    if (selected_triangle_)
+        hit.triangle = *selected_triangle_;
+    else if (probe)
+        hit.triangle = probe->primary().hit.triangle;
+    if (hit.triangle < 0 || std::size_t(hit.triangle) >= triangles.size()) return;
     hit.world = shown.world;
-    if (before && before->triangle == hit.triangle && before->world == hit.world)
-        hit.leaves = before->leaves;
-    else
-        hit.leaves = leaves_with(hit.world->tree, hit.triangle);
-    const int x = probe.pixel.x / shown.scale, y = probe.pixel.y / shown.scale;
-    if (const auto ray = ray_of_pixel(hit.world->scene(), shown.lens, *shown.frame, Pass::rt_prim, x, y)) {
-        hit.from = ray->origin;
-        hit.to = ray->origin + ray->direction * probe.primary().hit.t;
-    }
-    hit.outline = triangle_outline(hit.world->scene().triangles[std::size_t(hit.triangle)], view);
+    const bool same = before && before->triangle == hit.triangle && before->world == hit.world;
+    hit.leaves = same ? before->leaves : leaves_with(hit.world->tree, hit.triangle);
+    hit.outline = triangle_outline(triangles[std::size_t(hit.triangle)], picture_view());
+    if (!selected_triangle_) read_hit_ray(*probe, hit);
     state_.hit = std::move(hit);
+}
+
+void Engine::read_hit_ray(const PixelReading& probe, HitSelection& hit) {
+    const TracedFrame& shown = state_.picture->traced;
+    if (state_.pinned) {
+        walk_pinned(probe);
+        hit.leaf = walked_hit_leaf_;
+    }
+    const int x = probe.pixel.x / shown.scale, y = probe.pixel.y / shown.scale;
+    const auto ray = ray_of_pixel(hit.world->scene(), shown.lens, *shown.frame, Pass::rt_prim, x, y);
+    if (!ray) return;
+    hit.has_ray = true;
+    hit.from = ray->origin;
+    hit.to = ray->origin + ray->direction * probe.primary().hit.t;
 }
 
 /// Of the newest tree, in the picture shown.
 void Engine::read_selection() {
-    state_.selected.reset();
+    const std::optional<NodeSelection> before = std::exchange(state_.selected, std::nullopt);
     if (!selected_path_ || !state_.world || !state_.picture) return;
     state_.selected = kd::select_node(state_.world->tree, *selected_path_, picture_view());
+    if (!state_.selected) return;
+    const bool same = before && before->path == *selected_path_ && selected_in_.lock() == state_.world;
+    selected_in_ = state_.world;
+    state_.selected->triangles =
+        same ? before->triangles
+             : std::make_shared<const std::vector<int>>(triangles_below(state_.world->tree, state_.selected->node));
+    const std::vector<int>& triangles = *state_.selected->triangles;
+    if (triangles.size() > NodeSelection::most_outlined) return;
+    for (const int triangle : triangles) {
+        const auto outline = triangle_outline(state_.world->scene().triangles[std::size_t(triangle)], picture_view());
+        auto& all = state_.selected->triangle_outlines;
+        all.insert(all.end(), outline.begin(), outline.end());
+    }
 }
 
 /// A whole frame of what is asked for, whatever map is shown of it.

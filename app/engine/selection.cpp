@@ -19,7 +19,22 @@ std::optional<NodeSelection> select_node(const KdTree& tree, const std::string& 
                          cell.depth,
                          cell.box,
                          whole > 0 ? cell.box.surface_area() / whole : 1,
-                         on_screen(edges, view.camera, view.width, view.height)};
+                         on_screen(edges, view.camera, view.width, view.height),
+                         nullptr,
+                         {}};
+}
+
+std::vector<int> triangles_below(const KdTree& tree, int node) {
+    int first = node, last = node;
+    while (!tree.nodes[std::size_t(first)].is_leaf()) ++first;
+    while (!tree.nodes[std::size_t(last)].is_leaf()) last = tree.nodes[std::size_t(last)].link;
+    // Leaf lists stand in the order of the leaves.
+    const TreeNode& end = tree.nodes[std::size_t(last)];
+    std::vector<int> triangles(tree.references.begin() + tree.nodes[std::size_t(first)].link,
+                               tree.references.begin() + end.link + end.count);
+    std::ranges::sort(triangles);
+    triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
+    return triangles;
 }
 
 std::vector<int> leaves_with(const KdTree& tree, int triangle) {

@@ -4,24 +4,10 @@
 #include <utility>
 
 #include "renderer/kdtree/hand_split.h"
-#include "viz/cell_colours.h"
 
 namespace kd {
 
 namespace {
-
-constexpr int ramp_pieces = 36;
-
-/// By depth, as the splits over the picture have it, from the root to the deepest node.
-NodeColours colours_by_depth(const KdTree& tree) {
-    const std::vector<int> depths = node_depths(tree);
-    const int deepest = std::max(1, *std::ranges::max_element(depths));
-    NodeColours colours{{}, {0, float(deepest)}, {}};
-    for (int depth = 0; depth <= deepest; ++depth) colours.ramp.push_back(depth_colour(depth, deepest));
-    colours.of.reserve(depths.size());
-    for (const int depth : depths) colours.of.push_back(colours.ramp[std::size_t(depth)]);
-    return colours;
-}
 
 std::vector<int> cells_of_nodes(const KdTree& tree, const std::vector<IcicleCell>& icicle) {
     std::vector<int> cell_of(tree.nodes.size(), -1);
@@ -33,17 +19,6 @@ std::vector<int> cells_of_nodes(const KdTree& tree, const std::vector<IcicleCell
 }
 
 }  // namespace
-
-NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
-                         const NodeVisits* counted) {
-    if (colour == CellColour::depth) return colours_by_depth(tree);
-    if (needs_visits(colour) && !counted) return {};
-    CellColours made = cell_colours(tree, colour, max_tree_depth, colormap, counted);
-    NodeColours colours{std::move(made.of_node), made.scale.summary.range, {}};
-    const Colormap& map = get_colormap(made.scale.heat.colormap);
-    for (int i = 0; i < ramp_pieces; ++i) colours.ramp.push_back(map((float(i) + 0.5f) / ramp_pieces));
-    return colours;
-}
 
 void TreeViewBench::follow(const TreeViewWish& wish, const std::shared_ptr<const World>& world,
                            const std::shared_ptr<const NodeVisits>& visits) {

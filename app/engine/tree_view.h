@@ -8,8 +8,7 @@
 #include "app/engine/background.h"
 #include "app/engine/world.h"
 #include "renderer/measure/node_visits.h"
-#include "viz/heatmap.h"
-#include "viz/overlay.h"
+#include "viz/cell_colours.h"
 #include "viz/slice.h"
 #include "viz/tree_layout.h"
 
@@ -26,17 +25,6 @@ struct TreeViewWish {
 
     bool operator==(const TreeViewWish&) const = default;
 };
-
-/// What the colours of nodes say.
-struct NodeColours {
-    std::vector<Rgba8> of;    // by node; empty where nobody has counted yet
-    ValueRange range;         // values at the two ends of the colours
-    std::vector<Rgba8> ramp;  // the colours from end to end
-};
-
-/// `counted` may be null: colours that need it are none then.
-[[nodiscard]] NodeColours colour_nodes(const KdTree& tree, CellColour colour, const std::string& colormap,
-                                       const NodeVisits* counted);
 
 struct TreeView {
     TreeViewWish of;

@@ -107,6 +107,7 @@ void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.camera.reset();
     edit.session.build.by_hand.clear();  // of the tree before
     edit.window.planes_before.clear();
+    edit.window.triangle.reset();
     std::string& refused = edit.window.scene_asked;
     if (refused.empty() || refused == scene) return;
     edit.window.scene_text.clear();
@@ -249,6 +250,7 @@ void pin(Edit& edit) {
     if (edit.hovered == edit.window.pinned) return release(edit);
     edit.window.pinned = edit.hovered;
     edit.window.step.reset();
+    edit.window.triangle.reset();
     edit.window.follow = Follow::hit_leaf;
 }
 

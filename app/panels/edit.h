@@ -47,7 +47,7 @@ enum class Follow { nothing, hit_leaf, step };
 /// What a person looks at in NODES.
 struct NodesView {
     IcicleWidth width = IcicleWidth::leaves;
-    CellColour colour = CellColour::depth;
+    CellColour colour = CellColour::visits;
     std::string root;          // of the part of the icicle that is shown, by its path
     int columns = 0;           // pixels that the icicle had when it was drawn last
     int slice_axis = 2;        // that the slice lies across
@@ -65,6 +65,7 @@ struct WindowSettings {
     std::optional<PixelPosition> pinned;
     std::optional<Pass> pixel_rays;   // that PIXEL reads; none: those of the map
     std::optional<std::string> node;  // selected, by its path from the root (renderer/kdtree/hand_split.h)
+    std::optional<int> triangle;      // clicked on in NODES, by its number; the pinned pixel's hit where none is
     std::optional<int> step;          // of the pinned pixel's ray: the leaf that is lit, from 0
     Follow follow = Follow::nothing;
     std::vector<std::vector<HandSplit>> planes_before;  // changes of planes by hand, newest last: what each replaced
@@ -200,11 +201,13 @@ void move_pin(const EngineState& state, Edit& edit, int dx, int dy);
 void step_ray(const EngineState& state, Edit& edit, int by);
 /// Selects a node of the tree in use, in all views.
 void select_node(const EngineState& state, Edit& edit, int node);
+/// Selects a triangle of the scene in all views, in the place of the pinned pixel.
+void select_triangle(Edit& edit, int triangle);
 /// The node selected; nothing where none is, or where the tree in use has none there.
 [[nodiscard]] std::optional<int> selected_node(const EngineState& state, const Edit& edit);
 /// Selects the leaf that a pinned pixel, or a step along its ray, leads to, once it has been read.
 void follow_ray(const EngineState& state, Edit& edit);
-/// Lets go of the pinned pixel and of the node selected.
+/// Lets go of the pinned pixel, of the node and of the triangle selected.
 void release(Edit& edit);
 /// How NODES wants the tree, which it does not while it is not to be seen.
 [[nodiscard]] TreeViewWish tree_wish(const EngineState& state, const Edit& edit);

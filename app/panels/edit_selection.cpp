@@ -10,6 +10,13 @@ void select_node(const EngineState& state, Edit& edit, int node) {
     edit.window.follow = Follow::nothing;
 }
 
+void select_triangle(Edit& edit, int triangle) {
+    edit.window.pinned.reset();
+    edit.window.step.reset();
+    edit.window.triangle = triangle;
+    edit.window.follow = Follow::nothing;
+}
+
 std::optional<int> selected_node(const EngineState& state, const Edit& edit) {
     if (!state.world || !edit.window.node) return std::nullopt;
     return node_at(state.world->tree, *edit.window.node);
@@ -33,6 +40,7 @@ void release(Edit& edit) {
     edit.window.pinned.reset();
     edit.window.step.reset();
     edit.window.node.reset();
+    edit.window.triangle.reset();
     edit.window.follow = Follow::nothing;
 }
 
@@ -69,7 +77,7 @@ void slice_at_node(const EngineState& state, Edit& edit) {
 
 void slice_at_hit(const EngineState& state, Edit& edit) {
     const int axis = edit.window.nodes.slice_axis;
-    if (state.world && state.hit) slice_at(state, edit, axis, state.hit->to[axis]);
+    if (state.world && state.hit && state.hit->has_ray) slice_at(state, edit, axis, state.hit->to[axis]);
 }
 
 }  // namespace kd::edits

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "app/window/cost_chart.h"
 #include "app/window/places.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "renderer/scene/units.h"
+#include "viz/numbers.h"
 
 namespace kd {
 
@@ -62,6 +65,37 @@ void draw_comparison(const EngineState& state, const Edit& edit) {
                 "What the surface area heuristic expects of a random line through the whole tree, in traversal steps.");
 }
 
+/// "root", "bab", or of a long path its two ends.
+std::string short_path(const std::string& path) {
+    constexpr std::size_t most = 12, end = 4;
+    if (path.empty()) return "root";
+    return path.size() <= most ? path : path.substr(0, end) + "…" + path.substr(path.size() - end);
+}
+
+/// Of the tree in use. A click selects its node; one that is not used says why.
+void draw_plane(const World& world, const HandSplit& plane, Edit& edit) {
+    const std::optional<std::string> idle = why_idle(world.tree, plane);
+    const std::string name = plane.path.empty() ? "root" : plane.path;
+    const std::string text = fmt::format("{} {} at {}##{}", short_path(plane.path), axis_names[plane.axis],
+                                         number_text(double(to_scene_units(world.scene(), plane.position))), name);
+    ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::error : theme::selected);
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, 0};
+    if (ImGui::Selectable(text.c_str(), edit.window.node == plane.path, ImGuiSelectableFlags_None, size))
+        edit.window.node = plane.path;
+    ImGui::PopStyleColor();
+    Places::note(name);
+    widgets::hint(
+        fmt::format("A plane by hand. Its node, by the way from the root (b: below a plane, a: above): {}.{}\n\nClick: "
+                    "select the node.",
+                    name, idle ? fmt::format(" Not used: {}.", *idle) : ""));
+    if (idle) widgets::note("Not used: " + *idle + ".");
+}
+
+void draw_planes(const EngineState& state, Edit& edit) {
+    const Section section("planes");
+    for (const HandSplit& plane : state.world->built_with.by_hand) draw_plane(*state.world, plane, edit);
+}
+
 }  // namespace
 
 void draw_effect(const EngineState& state, Edit& edit) {
@@ -98,6 +132,7 @@ void draw_effect(const EngineState& state, Edit& edit) {
         widgets::note(
             fmt::format("Of {} rays, the map's.{}", rays, effect.now ? "" : " The new picture is on its way."));
     }
+    draw_planes(state, edit);
 }
 
 }  // namespace kd

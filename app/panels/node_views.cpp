@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/window/places.h"
 #include "app/window/theme.h"
@@ -15,6 +16,7 @@ namespace kd {
 namespace {
 
 constexpr float highest_row = 18;
+constexpr float click_reach = 4;     // pixels from a triangle's cut within which a click is on it
 constexpr float least_outlined = 4;  // pixels that a cell is wide, for its outline to be drawn
 
 ImU32 colour_of(const TreeView& view, int node) {
@@ -102,6 +104,19 @@ std::int64_t references_below(const KdTree& tree, int node) {
     return std::int64_t(end.link) + end.count - tree.nodes[std::size_t(first)].link;
 }
 
+namespace {
+
+/// "triangles #3, #17", of a long list its beginning.
+std::string triangles_text(const KdTree& tree, const TreeNode& leaf) {
+    constexpr int most = 6;
+    std::string text = "triangles";
+    for (int i = 0; i < std::min(most, int(leaf.count)); ++i)
+        text += fmt::format("{} #{}", i > 0 ? "," : "", tree.references[std::size_t(leaf.link + i)]);
+    return text + (leaf.count > most ? ", …" : "");
+}
+
+}  // namespace
+
 std::string node_text(const TreeView& view, int node) {
     const KdTree& tree = view.world->tree;
     const TreeNode& n = tree.nodes[std::size_t(node)];
@@ -109,6 +124,7 @@ std::string node_text(const TreeView& view, int node) {
     std::string text =
         fmt::format("{} {} ({})\ndepth {}, {} in leaf lists", n.is_leaf() ? "leaf" : "node", node,
                     path.empty() ? "root" : path, path.size(), number_text(double(references_below(tree, node))));
+    if (n.is_leaf() && n.count > 0) text += "\n" + triangles_text(tree, n);
     if (view.visits && view.visits->count.size() == tree.nodes.size())
         text += fmt::format("\nvisits {}, predicted {}", number_text(double(view.visits->count[std::size_t(node)])),
                             number_text(view.predicted[std::size_t(node)]));
@@ -184,6 +200,40 @@ void draw_slice_cells(ImDrawList& list, const TreeView& view, const Canvas& canv
     for (const SliceSegment& s : view.segments) list.AddLine(canvas.at(s.a), canvas.at(s.b), theme::text);
 }
 
+/// Where the first of the triangles is cut, for scripts.
+void note_triangle(const TreeView& view, const Canvas& canvas) {
+    Places* places = Places::current();
+    if (!places || view.segments.empty()) return;
+    const SliceSegment& s = view.segments.front();
+    const ImVec2 middle = canvas.at((s.a + s.b) / 2.0f);
+    places->add("triangle in slice", {middle.x - 1, middle.y - 1}, {middle.x + 1, middle.y + 1});
+}
+
+/// Those of the node selected.
+void draw_selected_triangles(ImDrawList& list, const TreeView& view, const Canvas& canvas, const EngineState& state) {
+    if (!state.selected || !state.selected->triangles || !is_current(state, view)) return;
+    for (const SliceSegment& s : view.segments)
+        if (std::ranges::binary_search(*state.selected->triangles, s.triangle))
+            list.AddLine(canvas.at(s.a), canvas.at(s.b), theme::selected, theme::px(2.5f));
+}
+
+/// The triangle whose cut is at a place of the screen, or near it; nothing where none is.
+std::optional<int> triangle_at(const TreeView& view, const Canvas& canvas, ImVec2 place) {
+    std::optional<int> nearest;
+    float least = theme::px(click_reach);
+    for (const SliceSegment& s : view.segments) {
+        const ImVec2 a = canvas.at(s.a), b = canvas.at(s.b);
+        const glm::vec2 from{a.x, a.y}, along{b.x - a.x, b.y - a.y}, to = glm::vec2{place.x, place.y} - from;
+        const float length = glm::dot(along, along);
+        const float share = length > 0 ? std::clamp(glm::dot(to, along) / length, 0.0f, 1.0f) : 0.0f;
+        const float distance = glm::length(to - share * along);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = s.triangle;
+    }
+    return nearest;
+}
+
 void draw_slice_marks(ImDrawList& list, const TreeView& view, const Canvas& canvas, const EngineState& state) {
     if (state.hit && state.hit->world->loaded == view.world->loaded) {
         for (const SliceSegment& s : view.segments)
@@ -193,8 +243,10 @@ void draw_slice_marks(ImDrawList& list, const TreeView& view, const Canvas& canv
             }
         const auto& corner = view.world->scene().triangles[std::size_t(state.hit->triangle)].corner;
         list.AddTriangle(canvas.at(corner[0]), canvas.at(corner[1]), canvas.at(corner[2]), theme::hit);
-        list.AddLine(canvas.at(state.hit->from), canvas.at(state.hit->to), theme::ray_cells, theme::px(1.5f));
-        list.AddCircleFilled(canvas.at(state.hit->to), theme::px(3), theme::ray_cells);
+        if (state.hit->has_ray) {
+            list.AddLine(canvas.at(state.hit->from), canvas.at(state.hit->to), theme::ray_cells, theme::px(1.5f));
+            list.AddCircleFilled(canvas.at(state.hit->to), theme::px(3), theme::ray_cells);
+        }
     }
     if (!state.selected) return;
     const Aabb& cell = state.selected->cell;
@@ -221,6 +273,8 @@ void draw_slice(const EngineState& state, Edit& edit) {
     const Canvas canvas(*view, from, size);
     list.PushClipRect(from, {from.x + size.x, from.y + size.y}, true);
     draw_slice_cells(list, *view, canvas);
+    note_triangle(*view, canvas);
+    draw_selected_triangles(list, *view, canvas, state);
     draw_slice_marks(list, *view, canvas, state);
     list.PopClipRect();
     if (!ImGui::IsItemHovered()) return;
@@ -229,9 +283,15 @@ void draw_slice(const EngineState& state, Edit& edit) {
         edit.window.nodes.slice_share = std::clamp(edit.window.nodes.slice_share + 0.01f * io.MouseWheel, 0.0f, 1.0f);
     const std::optional<int> node = slice_node(view->slice, canvas.point(io.MousePos));
     if (!node) return;
+    const std::optional<int> triangle = triangle_at(*view, canvas, io.MousePos);
     const bool clicked = is_current(state, *view) && ImGui::IsItemActivated();
-    if (clicked) edits::select_node(state, edit, *node);
-    widgets::read_out(node_text(*view, *node) + "\n\nClick: select the leaf. Wheel: move the slice.", clicked);
+    if (clicked && triangle) edits::select_triangle(edit, *triangle);
+    if (clicked && !triangle) edits::select_node(state, edit, *node);
+    const std::string what =
+        triangle ? fmt::format("triangle #{}, in {}", *triangle, node_text(*view, *node)) : node_text(*view, *node);
+    widgets::read_out(what + (triangle ? "\n\nClick: select the triangle." : "\n\nClick: select the leaf.") +
+                          " Wheel: move the slice.",
+                      clicked);
 }
 
 }  // namespace kd

@@ -105,7 +105,8 @@ void draw_slice_controls(const EngineState& state, Edit& edit) {
                         state.selected.has_value(), theme::px(44)))
         edits::slice_at_node(state, edit);
     ImGui::SameLine(0, theme::px(4));
-    if (widgets::button("hit", "Through the hit of the pinned pixel's ray.", state.hit.has_value(), theme::px(36)))
+    if (widgets::button("hit", "Through the hit of the pinned pixel's ray.",
+                        state.hit && state.hit->has_ray && state.pinned, theme::px(36)))
         edits::slice_at_hit(state, edit);
 }
 

@@ -149,7 +149,7 @@ void draw_pixel_panel(const EngineState& state, Edit& edit) {
     draw_counters(ray);
     draw_other_rays(state, edit, reading, read);
     ImGui::PopStyleVar();
-    const bool held = edit.window.pinned.has_value() || edit.window.node.has_value();
+    const bool held = edit.window.pinned || edit.window.node || edit.window.triangle;
     if (widgets::button("release pixel",
                         held ? "Follows the mouse again, and no node is selected. Key Esc."
                              : "Move the mouse over the picture to read a pixel; click there to keep it.",

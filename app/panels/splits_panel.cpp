@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/cli/hand_split_option.h"
 #include "app/panels/effect_rows.h"
 #include "app/panels/panel.h"
 #include "app/window/cost_chart.h"
@@ -64,11 +65,10 @@ void draw_facts(const EngineState& state, const Edit& edit) {
     const bool by_hand = edits::has_plane(edit);
     widgets::value(by_hand ? "plane by hand" : "plane", plane_text(state, edits::shown_plane(state, edit)),
                    "Axis and place of its split plane, in scene units.", by_hand ? theme::selected : 0);
-    widgets::value(
-        "cost, as a leaf",
-        fmt::format("{}, {}", chosen_text(state, costs), costs ? number_text(costs->leaf_cost) : none),
-        "By the surface area heuristic, in traversal steps: of its plane, and of testing all its triangles (the "
-        "dashed line).");
+    widgets::value("cost with its plane", chosen_text(state, costs),
+                   "By the surface area heuristic, in traversal steps: where the plane stands on the curve.");
+    widgets::value("cost as a leaf", costs ? number_text(costs->leaf_cost) : none,
+                   "Of testing all its triangles instead, in traversal steps: the dashed line.");
 }
 
 /// Buttons side by side over the whole width.
@@ -97,18 +97,32 @@ void draw_ways(const EngineState& state, Edit& edit) {
         edits::select_node(state, edit, nodes[std::size_t(node)].link);
 }
 
+/// The plane as the command line takes it.
+void draw_copy(Row& row, const EngineState& state, std::optional<HandSplit> plane) {
+    std::string option;
+    if (plane) {
+        plane->position = to_scene_units(state.world->scene(), plane->position);
+        option = "--split " + hand_split_text(*plane);
+    }
+    const std::string about = "Copies the node's plane as an option of the command line: path, axis and position.";
+    if (row.button("copy --split", plane ? fmt::format("{}\n\n{}", about, option) : about, plane.has_value()))
+        ImGui::SetClipboardText(option.c_str());
+}
+
 void draw_ways_back(const EngineState& state, Edit& edit) {
     const std::size_t planes = edit.session.build.by_hand.size();
-    Row row{3};
+    Row row{2};
     if (row.button("put back", "The builder's own plane again, in this node.", edits::has_plane(edit)))
         edits::put_plane_back(edit);
-    if (row.button("all", fmt::format("All {} planes by hand back to the builder's.", planes), planes > 0))
-        edits::put_planes_back(edit);
     if (row.button("undo", "Takes the last change of planes back. Key Ctrl Z.", edits::can_undo_planes(edit)))
         edits::undo_planes(edit);
-    const int idle = state.world->report.idle_hand_splits;
-    if (idle > 0)
-        widgets::note(fmt::format("{} of {} planes by hand idle: no such cell, or outside of it.", idle, planes));
+    Row other{2};
+    if (other.button("put all back",
+                     fmt::format("The builder's own planes again in all nodes: {} {} by hand.", planes,
+                                 planes == 1 ? "is" : "are"),
+                     planes > 0))
+        edits::put_planes_back(edit);
+    draw_copy(other, state, edits::shown_plane(state, edit));
 }
 
 void draw_node(const EngineState& state, Edit& edit) {
@@ -194,18 +208,22 @@ void draw_charts(const EngineState& state, Edit& edit) {
 
 void draw_splits_panel(const EngineState& state, Edit& edit) {
     if (!state.world) return;
-    const auto column = [&](const char* name, float width, const auto& draw) {
-        ImGui::BeginChild(name, {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
+    const auto column = [&](const char* name, float width, const auto& draw, ImGuiWindowFlags flags) {
+        ImGui::BeginChild(name, {width, 0}, false, flags);
         draw();
         ImGui::EndChild();
     };
     const float gap = theme::px(14), left = theme::px(232), right = theme::px(228);
     const float middle = std::max(theme::px(200), ImGui::GetContentRegionAvail().x - left - right - 2 * gap);
-    column("node", left, [&] { draw_node(state, edit); });
+    constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar, scrolls = ImGuiWindowFlags_None;
+    column(
+        "node", left, [&] { draw_node(state, edit); }, still);
     ImGui::SameLine(0, gap);
-    column("charts", middle, [&] { draw_charts(state, edit); });
+    column(
+        "charts", middle, [&] { draw_charts(state, edit); }, still);
     ImGui::SameLine(0, gap);
-    column("effect", right, [&] { draw_effect(state, edit); });
+    column(
+        "effect", right, [&] { draw_effect(state, edit); }, scrolls);
 }
 
 }  // namespace kd

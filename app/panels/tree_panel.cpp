@@ -4,6 +4,7 @@
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
+#include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
 namespace kd {
@@ -68,15 +69,19 @@ void draw_more_constants(BuildConfig& b, const EngineState& state) {
                     "off.");
 }
 
-/// Planes that a person put, however they came there.
-void draw_hands(std::vector<HandSplit>& by_hand, const EngineState& state) {
-    if (by_hand.empty()) return;
-    const int idle = state.world ? state.world->report.idle_hand_splits : 0;
-    widgets::value("planes by hand",
-                   idle > 0 ? fmt::format("{}, {} not used", by_hand.size(), idle) : fmt::format("{}", by_hand.size()),
-                   "They stand in the place of the builder's. Not used are those whose node is not there, or whose "
-                   "plane is not inside its cell. Option --split.");
-    if (widgets::button("remove planes by hand", "The builder chooses everywhere again.")) by_hand.clear();
+/// Planes that a person put, however they came there. The row is always there: the first plane pushes nothing down.
+void draw_hands(const EngineState& state, Edit& edit) {
+    const std::vector<HandSplit>& by_hand = edit.session.build.by_hand;
+    const int idle = state.world && !by_hand.empty() ? state.world->report.idle_hand_splits : 0;
+    widgets::begin_row("planes by hand",
+                       "They stand in the place of the builder's: the picture is dark where they keep rays from nodes "
+                       "that the builder's do not. Put with SPLITS, which names those that are not used and says why. "
+                       "Option --split.");
+    const std::string label = by_hand.empty() ? "none"
+                              : idle > 0      ? fmt::format("remove {} ({} idle)", by_hand.size(), idle)
+                                              : fmt::format("remove {}", by_hand.size());
+    const char* about = by_hand.empty() ? "There are none: SPLITS puts them." : "The builder chooses everywhere again.";
+    if (widgets::button(label.c_str(), about, !by_hand.empty(), widgets::control_width())) edits::put_planes_back(edit);
 }
 
 /// Two ways back from constants that were tried.
@@ -111,8 +116,11 @@ void draw_statistics(const EngineState& state) {
     widgets::value(
         "SAH cost", number_text(s.sah_cost),
         "Expected cost of a random line in traversal steps, by the surface area heuristic. Compare with the map.");
-    widgets::value("memory", fmt::format("{} kB", number_text(double(s.node_bytes + s.reference_list_bytes) / 1024)),
-                   "Nodes at 16 bytes, leaf lists, and the triangles once.");
+    const NodeEncoding nodes = nodes_in_force(state.session.trace);
+    const std::int64_t node_bytes = nodes == NodeEncoding::float4 ? s.node_bytes : s.packed_node_bytes;
+    widgets::value(
+        "memory", fmt::format("{} kB", number_text(double(node_bytes + s.reference_list_bytes) / 1024)),
+        fmt::format("Nodes at {} bytes as TRACING has them, leaf lists, and the triangles once.", bytes_of(nodes)));
     widgets::value("built in", fmt::format("{} ms", number_text(state.last_build_ms)),
                    "Wall clock of the build, on all threads.");
 }
@@ -124,7 +132,7 @@ void draw_tree_panel(const EngineState& state, Edit& edit) {
     draw_constants(edit.session.build);
     draw_presets(edit.session.build);
     draw_more_constants(edit.session.build, state);
-    draw_hands(edit.session.build.by_hand, state);
+    draw_hands(state, edit);
     if (state.world) draw_statistics(state);
 }
 

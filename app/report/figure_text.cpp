@@ -65,6 +65,18 @@ std::string time_text(const FigureFacts& f) {
     return fmt::format("{:.1f} ms{}", f.milliseconds, f.clock.empty() ? "" : fmt::format(" ({})", f.clock));
 }
 
+/// What the colours of cells say, with a comma before; depths are in the legend.
+std::string words_of(CellColour colour, Pass rays) {
+    switch (colour) {
+        case CellColour::depth: break;
+        case CellColour::visits: return fmt::format(", by visits of {} rays", ray_names[std::size_t(rays)]);
+        case CellColour::predicted: return ", by visits predicted";
+        case CellColour::ratio:
+            return fmt::format(", by visits of {} rays over predicted", ray_names[std::size_t(rays)]);
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string title_of(const std::string& scene, const ViewConfig& view) {
@@ -73,7 +85,8 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
         const MapInfo* map = find_map(view.map.map);
         title = fmt::format("{}, {} rays", map ? map->title : view.map.map, ray_names[std::size_t(view.map.rays)]);
     } else if (view.overlay.show) {
-        title = fmt::format("Splits of the kd-tree down to depth {}", view.overlay.max_depth);
+        title = fmt::format("Splits of the kd-tree down to depth {}{}", view.overlay.max_depth,
+                            words_of(view.overlay.colour, view.map.rays));
     }
     if (title != scene) title[0] = char(std::toupper(static_cast<unsigned char>(title[0])));
     return title;

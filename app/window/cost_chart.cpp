@@ -16,6 +16,8 @@ namespace kd {
 
 namespace {
 
+constexpr float tag_gap = 3;  // above and below the row of builders' numbers
+
 /// Where the plot lies on the screen.
 struct Plot {
     const CostChart& chart;
@@ -35,11 +37,36 @@ struct Plot {
     }
 };
 
-/// A builder's plane across this axis, with its number in a row above the plot where it has room.
+/// A builder's plane across this axis: its number below the axis, and the place on the curve where it stands.
 struct Tag {
     std::size_t choice = 0;
-    ImVec2 centre, foot;  // the number, and the place on the curve
+    ImVec2 centre, foot;
 };
+
+/// Moves numbers that would lie upon each other apart, each group about its middle, within [low, high] where they fit.
+/// The least sum of squared moves: isotonic regression by pooling neighbours, with `step` between them taken off first
+/// (Barlow et al., Statistical Inference under Order Restrictions, 1972).
+void spread(std::vector<Tag>& tags, float low, float high, float step) {
+    struct Pool {
+        float sum = 0;
+        int count = 0;
+        [[nodiscard]] float mean() const { return sum / float(count); }
+    };
+    std::vector<Pool> pools;
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+        Pool pool{tags[i].centre.x - float(i) * step, 1};
+        for (; !pools.empty() && pools.back().mean() >= pool.mean(); pools.pop_back()) {
+            pool.sum += pools.back().sum;
+            pool.count += pools.back().count;
+        }
+        pools.push_back(pool);
+    }
+    const float last = std::max(low, high - float(tags.size() - 1) * step);
+    std::size_t i = 0;
+    for (const Pool& pool : pools)
+        for (int k = 0; k < pool.count; ++k, ++i)
+            tags[i].centre.x = std::clamp(pool.mean(), low, last) + float(i) * step;
+}
 
 std::vector<Tag> tags_of(const Plot& plot) {
     const CellCosts& costs = *plot.chart.cell.costs;
@@ -49,14 +76,12 @@ std::vector<Tag> tags_of(const Plot& plot) {
         const BuilderChoice& choice = costs.choices[i];
         if (!choice.split || choice.split->axis != plot.chart.axis) continue;
         const float x = plot.x(choice.split->position);
-        Tag tag{i, {x, plot.low.y + size / 2}, {x, plot.y(choice.cost)}};
-        // Below those that it would lie upon.
-        const auto hidden = [&](const Tag& other) {
-            return std::abs(other.centre.x - tag.centre.x) < size && std::abs(other.centre.y - tag.centre.y) < size;
-        };
-        while (std::ranges::any_of(tags, hidden)) tag.centre.y += size;
-        tags.push_back(tag);
+        tags.push_back({i, {x, plot.high.y + theme::px(tag_gap) + size / 2}, {x, plot.y(choice.cost)}});
     }
+    if (tags.empty()) return tags;
+    std::ranges::stable_sort(tags, {}, [](const Tag& tag) { return tag.foot.x; });
+    const float room = (plot.high.x - plot.low.x) / float(tags.size());
+    spread(tags, plot.low.x + size / 2, plot.high.x - size / 2, std::min(size + theme::px(1), room));
     return tags;
 }
 
@@ -65,11 +90,13 @@ void draw_centred(ImDrawList& list, ImVec2 centre, ImU32 colour, const std::stri
     list.AddText({std::round(centre.x - size.x / 2), std::round(centre.y - size.y / 2)}, colour, text.c_str());
 }
 
-void draw_tags(ImDrawList& list, const std::vector<Tag>& tags, const Tag* hovered) {
+void draw_tags(ImDrawList& list, const Plot& plot, const std::vector<Tag>& tags, const Tag* hovered) {
     const float radius = ImGui::GetTextLineHeight() / 2;
     for (const Tag& tag : tags) {
         const ImU32 colour = choice_colour(tag.choice);
-        list.AddLine(tag.centre, tag.foot, theme::faded(colour, 0.5f));
+        list.AddLine({tag.foot.x, plot.high.y}, tag.foot, theme::faded(colour, 0.5f));
+        list.AddLine(tag.centre, {tag.foot.x, plot.high.y}, colour);
+        list.AddCircleFilled(tag.foot, theme::px(4), theme::outline);
         list.AddCircleFilled(tag.foot, theme::px(3), colour);
     }
     for (const Tag& tag : tags) {
@@ -93,7 +120,7 @@ void draw_curve(ImDrawList& list, const Plot& plot) {
     for (const ImVec2& p : line) list.AddCircleFilled(p, theme::px(2), theme::text);
 }
 
-/// Costs at the left, positions at both ends below.
+/// Costs at the left, positions at both ends below the builders' numbers.
 void draw_scales(ImDrawList& list, const Plot& plot) {
     const CostChart& chart = plot.chart;
     const auto range = ValueRange{float(chart.scale.low), float(chart.scale.high)};
@@ -110,7 +137,7 @@ void draw_scales(ImDrawList& list, const Plot& plot) {
     }
     const std::string low = number_text(double(plot.from()) * double(chart.unit));
     const std::string high = number_text(double(plot.to()) * double(chart.unit));
-    const float y = plot.high.y + theme::px(2);
+    const float y = plot.high.y + ImGui::GetTextLineHeight() + theme::px(2 * tag_gap);
     list.AddText({plot.low.x, y}, theme::dim_text, low.c_str());
     list.AddText({plot.high.x - ImGui::CalcTextSize(high.c_str()).x, y}, theme::dim_text, high.c_str());
     draw_centred(list, {(plot.low.x + plot.high.x) / 2, y + ImGui::GetTextLineHeight() / 2}, theme::text,
@@ -121,7 +148,7 @@ void draw_plane(ImDrawList& list, const Plot& plot, bool held) {
     if (!plot.chart.plane) return;
     const float x = std::round(plot.x(*plot.chart.plane));
     list.AddLine({x, plot.low.y}, {x, plot.high.y}, theme::selected, theme::px(2));
-    const ImVec2 grip{x, plot.high.y - theme::px(6)};
+    const ImVec2 grip{x, plot.y(cost_at(plot.chart, *plot.chart.plane))};
     list.AddCircleFilled(grip, theme::px(7), theme::outline);
     list.AddCircleFilled(grip, theme::px(5), held ? theme::text : theme::selected);
     if (Places* places = Places::current())
@@ -135,14 +162,34 @@ std::string tag_text(const Plot& plot, const BuilderChoice& choice) {
                        number_text(double(choice.split->position) * double(plot.chart.unit)), number_text(choice.cost));
 }
 
-std::string curve_text(const Plot& plot, const std::vector<SplitCandidate>& curve, float position) {
-    const auto found = std::ranges::lower_bound(curve, position, {}, &SplitCandidate::position);
-    const SplitCandidate& c = found == curve.end() ? curve.back() : *found;
+/// What a click at the mouse takes, and what is told of it before.
+struct Aim {
+    float position = 0;
+    const SplitCandidate* candidate = nullptr;  // that stands there; null with Shift held, which goes anywhere
+};
+
+std::optional<Aim> aim_at(const Plot& plot, const std::vector<SplitCandidate>& curve, ImVec2 mouse) {
+    const float position = plot.position(mouse.x);
+    if (ImGui::GetIO().KeyShift) {
+        const auto kept = edits::inside(plot.chart.cell.costs->cell, plot.chart.axis, position);
+        return kept ? std::optional(Aim{*kept, nullptr}) : std::nullopt;
+    }
+    const SplitCandidate* nearest = nearest_candidate(curve, position);
+    return nearest ? std::optional(Aim{nearest->position, nearest}) : std::nullopt;
+}
+
+std::string aim_text(const Plot& plot, const Aim& aim) {
+    const std::string place = fmt::format("{} at {}", axis_names[plot.chart.axis],
+                                          number_text(double(aim.position) * double(plot.chart.unit)));
+    if (!aim.candidate)
+        return place +
+               ".\n\nDrag or click: the plane goes exactly there. Without Shift it goes to the nearest end of a "
+               "triangle.";
+    const SplitCandidate& c = *aim.candidate;
     return fmt::format(
-        "{} at {}: cost {}, {} triangles below, {} above.\n\nDrag or click: the plane goes to the nearest end "
-        "of a triangle; with Shift held, anywhere. The chart of another axis turns it.",
-        axis_names[plot.chart.axis], number_text(double(c.position) * double(plot.chart.unit)), number_text(c.cost),
-        number_text(c.below), number_text(c.above));
+        "{}: cost {}, {} triangles below, {} above.\n\nDrag or click: the plane goes there, the nearest end of a "
+        "triangle; with Shift held, anywhere. The chart of another axis turns it.",
+        place, number_text(c.cost), number_text(c.below), number_text(c.above));
 }
 
 /// The tag under the mouse; null where none is.
@@ -151,13 +198,6 @@ const Tag* tag_at(const std::vector<Tag>& tags, ImVec2 mouse) {
     for (const Tag& tag : tags)
         if (std::hypot(mouse.x - tag.centre.x, mouse.y - tag.centre.y) <= reach) return &tag;
     return nullptr;
-}
-
-/// Where the plane goes for the mouse.
-std::optional<float> wanted(const Plot& plot, const std::vector<SplitCandidate>& curve) {
-    const float position = plot.position(ImGui::GetIO().MousePos.x);
-    if (!ImGui::GetIO().KeyShift) return nearest_candidate(curve, position);
-    return edits::inside(plot.chart.cell.costs->cell, plot.chart.axis, position);
 }
 
 /// What the mouse does in the chart, which is the item that Dear ImGui was given last.
@@ -182,7 +222,8 @@ Mouse read_mouse(const Plot& plot, const std::vector<SplitCandidate>& curve, con
     }
     mouse.drags = active && storage.GetBool(dragging);
     const bool moves = mouse.answer.begins || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-    if (mouse.drags && moves) mouse.answer.position = wanted(plot, curve);
+    if (mouse.drags && moves)
+        if (const auto aim = aim_at(plot, curve, io.MousePos)) mouse.answer.position = aim->position;
     if (mouse.drags || ImGui::IsItemHovered())
         ImGui::SetMouseCursor(mouse.tag && !mouse.drags ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_ResizeEW);
     return mouse;
@@ -198,16 +239,24 @@ void note_tags(const Plot& plot, const std::vector<Tag>& tags) {
 }
 
 void read_out(const Plot& plot, const std::vector<SplitCandidate>& curve, const Tag* tag) {
-    const std::string text = tag ? tag_text(plot, plot.chart.cell.costs->choices[tag->choice])
-                                 : curve_text(plot, curve, plot.position(ImGui::GetIO().MousePos.x));
-    widgets::read_out(text, false);
+    if (tag) return widgets::read_out(tag_text(plot, plot.chart.cell.costs->choices[tag->choice]), false);
+    if (const auto aim = aim_at(plot, curve, ImGui::GetIO().MousePos)) widgets::read_out(aim_text(plot, *aim), false);
+}
+
+void draw_leaf_cost(ImDrawList& list, const Plot& plot) {
+    const float y = std::round(plot.y(plot.chart.cell.costs->leaf_cost));
+    const chart::Look look{theme::dim_text, theme::px(1.5f), 0};  // grey: every other colour is a builder's
+    chart::draw_stroke(list, {plot.low.x, y}, {plot.high.x, y}, look, Stroke::dashed);
+    const ImVec2 word = ImGui::CalcTextSize("leaf");
+    const float top = y - word.y < plot.low.y ? y + theme::px(1) : y - word.y;
+    list.AddText({plot.high.x - word.x - theme::px(2), top}, theme::dim_text, "leaf");
 }
 
 }  // namespace
 
 ImU32 choice_colour(std::size_t choice) {
-    // In an order that begins with the bright ones, and without the purple of what is selected.
-    constexpr std::array colours{theme::text, theme::cpu, theme::gpu, theme::error, theme::passed, theme::hit};
+    // Without the purple of what is selected; the curve's white comes last.
+    constexpr std::array colours{theme::cpu, theme::gpu, theme::passed, theme::hit, theme::error, theme::text};
     return colours[choice % colours.size()];
 }
 
@@ -219,17 +268,35 @@ CostScale cost_scale(const CellState& cell) {
             low = std::min(low, point.least);
             high = std::max(high, point.most);
         }
+    for (const BuilderChoice& choice : costs.choices) {
+        low = std::min(low, choice.cost);
+        high = std::max(high, choice.cost);
+    }
     const double rim = std::max(0.05 * (high - low), 1e-3 * std::max(1.0, high));
-    return {low - rim, high + 4 * rim};  // room for the builders' numbers
+    return {low - rim, high + rim};
 }
 
-std::optional<float> nearest_candidate(const std::vector<SplitCandidate>& curve, float position) {
-    if (curve.empty()) return std::nullopt;
+const SplitCandidate* nearest_candidate(const std::vector<SplitCandidate>& curve, float position) {
+    if (curve.empty()) return nullptr;
     const auto above = std::ranges::lower_bound(curve, position, {}, &SplitCandidate::position);
-    if (above == curve.begin()) return above->position;
+    if (above == curve.begin()) return &*above;
     const auto below = std::prev(above);
     const bool lower = above == curve.end() || position - below->position < above->position - position;
-    return lower ? below->position : above->position;
+    return lower ? &*below : &*above;
+}
+
+double cost_at(const CostChart& chart, float position) {
+    const CellCosts& costs = *chart.cell.costs;
+    if (costs.chosen && costs.chosen->axis == chart.axis && costs.chosen->position == position)
+        return costs.chosen_cost;
+    const std::vector<SplitCandidate>& curve = costs.curves[std::size_t(chart.axis)];
+    const SplitCandidate* nearest = nearest_candidate(curve, position);
+    if (!nearest) return costs.leaf_cost;
+    const std::ptrdiff_t neighbour = nearest - curve.data() + (position > nearest->position ? 1 : -1);
+    if (nearest->position == position || neighbour < 0 || neighbour >= std::ssize(curve)) return nearest->cost;
+    const SplitCandidate& other = curve[std::size_t(neighbour)];
+    const double share = double(position - nearest->position) / double(other.position - nearest->position);
+    return std::lerp(nearest->cost, other.cost, share);
 }
 
 CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
@@ -240,7 +307,8 @@ CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
     const float margin = chart.numbers ? theme::px(44) : theme::px(6);
     const Plot plot{chart,
                     {corner.x + margin, corner.y},
-                    {corner.x + size.x - theme::px(6), corner.y + size.y - ImGui::GetTextLineHeight() - theme::px(4)}};
+                    {corner.x + size.x - theme::px(6),
+                     corner.y + size.y - 2 * ImGui::GetTextLineHeight() - theme::px(2 * tag_gap + 2)}};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(plot.low, plot.high, theme::sunken);
     draw_scales(list, plot);
@@ -249,15 +317,12 @@ CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {
                      "no plane");
         return {};
     }
-    const float leaf = std::round(plot.y(chart.cell.costs->leaf_cost));
-    chart::draw_stroke(list, {plot.low.x, leaf}, {plot.high.x, leaf}, chart::look_of(Ink::cpu), Stroke::dashed);
-    const ImVec2 word = ImGui::CalcTextSize("leaf");
-    list.AddText({plot.high.x - word.x - theme::px(2), leaf - word.y}, theme::cpu, "leaf");
+    draw_leaf_cost(list, plot);
     draw_curve(list, plot);
     const std::vector<Tag> tags = tags_of(plot);
     const Mouse mouse = read_mouse(plot, curve, tags);
     draw_plane(list, plot, mouse.drags);
-    draw_tags(list, tags, mouse.drags ? nullptr : mouse.tag);
+    draw_tags(list, plot, tags, mouse.drags ? nullptr : mouse.tag);
     note_tags(plot, tags);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) read_out(plot, curve, mouse.tag);
     return mouse.answer;

@@ -32,8 +32,12 @@ struct CostAnswer {
     const BuilderChoice* taken = nullptr;  // a builder's plane was clicked on
 };
 
-/// The place of a candidate that is nearest to a position; nothing without candidates.
-[[nodiscard]] std::optional<float> nearest_candidate(const std::vector<SplitCandidate>& curve, float position);
+/// The candidate nearest to a position, of two as near the upper; null without candidates.
+[[nodiscard]] const SplitCandidate* nearest_candidate(const std::vector<SplitCandidate>& curve, float position);
+
+/// Where a plane stands on the chart's curve: its cost, in traversal steps; between two candidates on the line between
+/// them.
+[[nodiscard]] double cost_at(const CostChart& chart, float position);
 
 /// Draws it into `size` and reads the mouse. A drag goes from end to end of triangles, with Shift anywhere.
 [[nodiscard]] CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size);

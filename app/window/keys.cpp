@@ -26,7 +26,7 @@ void toggle_heat(Edit& edit) {
 void leave(Edit& edit) {
     if (edit.window.help)
         edit.window.help = false;
-    else if (edit.window.pinned || edit.window.node)
+    else if (edit.window.pinned || edit.window.node || edit.window.triangle)
         edits::release(edit);
     else
         edit.do_once(Action::dismiss_messages);

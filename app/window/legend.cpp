@@ -127,7 +127,7 @@ void add_map(Card& card, float bar, const MapMeaning& map, const HeatmapConfig& 
     card.text(text.title, theme::text, theme::font(theme::Type::body));
     card.text(text.subject, theme::dim_text, theme::font(theme::Type::body));
     if (!text.scale.empty()) card.text(text.scale, theme::dim_text, theme::font(theme::Type::body));
-    if (map.labels.categories.empty())
+    if (!text.ticks.empty())
         add_bar(card, bar, heat, map.summary, text);
     else
         card.gap(6);

@@ -14,7 +14,10 @@ namespace kd {
 /// Belongs to a Dear ImGui context, whose UserData points to it; a context without one notes nothing.
 class Places {
   public:
-    void clear() { all_.clear(); }
+    void clear() {
+        all_.clear();
+        tooltip.clear();
+    }
     void add(std::string_view label, ImVec2 low, ImVec2 high);
     [[nodiscard]] const std::map<std::string, Rectangle>& all() const { return all_; }
 
@@ -23,6 +26,7 @@ class Places {
     /// Those of the current context; null where it has none.
     static Places* current();
 
+    std::string tooltip;  // what it says; empty where none is shown
     TooltipRest tooltip_rest;
 
   private:

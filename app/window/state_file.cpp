@@ -154,6 +154,7 @@ Json json_of(const EngineState& state, const std::optional<NodeSelection>& node)
     if (!node) return nullptr;
     const TreeNode& n = state.world->tree.nodes[std::size_t(node->node)];
     Json json{{"path", node->path}, {"node", node->node}, {"depth", node->depth}, {"leaf", n.is_leaf()}};
+    if (node->triangles) json["triangles"] = node->triangles->size();
     if (!n.is_leaf()) {
         json["axis"] = n.flag;
         json["position"] = json_number(to_scene_units(state.world->scene(), n.split));
@@ -163,7 +164,8 @@ Json json_of(const EngineState& state, const std::optional<NodeSelection>& node)
 
 Json json_of(const std::optional<HitSelection>& hit) {
     if (!hit) return nullptr;
-    return {{"triangle", hit->triangle}, {"leaf", hit->leaf}, {"leaves", hit->leaves.size()}};
+    return {
+        {"triangle", hit->triangle}, {"leaf", hit->leaf}, {"leaves", hit->leaves.size()}, {"has_ray", hit->has_ray}};
 }
 
 /// What SPLITS shows: the planes by hand, the costs of the cell, and what the planes changed for primary rays.
@@ -199,6 +201,7 @@ Json nodes_json(const EngineState& state, const NodesView& wish) {
     json["rows"] = view->rows;
     json["slice"] = view->slice.size();
     json["segments"] = view->segments.size();
+    json["colour"] = all_cell_colours()[std::size_t(view->of.colour)].name;
     json["coloured"] = !view->colours.of.empty();
     return json;
 }

@@ -29,8 +29,9 @@ void draw_crosshair(ImDrawList& list, ImVec2 at) {
     list.AddCircle(at, gap, theme::selected, 0, width);
 }
 
-/// With the splits all cells that the ray meets, the triangle that it hit, the cell selected, and the leaf that a
-/// person stepped to on top of them. None in a colour of those by depth: these cells lie deeper than the splits shown.
+/// With the splits all cells that the ray meets, the triangle selected, the cell selected with its triangles, and the
+/// leaf that a person stepped to on top of them. None in a colour of those by depth: these cells lie deeper than the
+/// splits shown.
 void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& state, ImVec2 scale) {
     const auto draw = [&](const ScreenLine& line, ImU32 colour, float width) {
         const ImVec2 a{area.x + line.x0 * scale.x, area.y + line.y0 * scale.y};
@@ -38,6 +39,8 @@ void draw_cells(ImDrawList& list, const Rectangle& area, const EngineState& stat
         outlined_line(list, a, b, colour, theme::px(width));
     };
     for (const ScreenLine& line : state.ray_cells) draw(line, theme::ray_cells, 1);
+    if (state.selected)
+        for (const ScreenLine& line : state.selected->triangle_outlines) draw(line, theme::selected, 1);
     if (state.hit)
         for (const ScreenLine& line : state.hit->outline) draw(line, theme::hit, 1);
     if (state.selected)

@@ -75,6 +75,7 @@ void show_tooltip(std::string_view text, ImVec2 at) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     Places::note("tooltip");
+    if (Places* places = Places::current()) places->tooltip = text;
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }

@@ -261,6 +261,7 @@ void WindowLoop::apply_keys() {
 void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
     if (!edit_.window.pinned) edit_.window.step.reset();
+    engine_->select_triangle(edit_.window.triangle);
     engine_->set_probes(edit_.hovered, edit_.window.pinned, edit_.window.step);
     engine_->allow_duel(edit_.window.timing, edit_.window.timing_scale);
     edits::follow_ray(engine_->state(), edit_);

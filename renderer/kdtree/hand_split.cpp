@@ -41,4 +41,19 @@ std::optional<int> node_at(const KdTree& tree, std::string_view path) {
     return node;
 }
 
+std::optional<std::string> why_idle(const KdTree& tree, const HandSplit& split) {
+    const auto& [path, axis, position] = split;
+    const std::optional<int> end = node_at(tree, path);
+    if (!end) return "the tree ends above its node";
+    const TreeNode& own = tree.nodes[std::size_t(*end)];
+    if (!own.is_leaf() && own.flag == axis && own.split == position) return std::nullopt;
+    Aabb cell = tree.bounds;
+    for (std::size_t depth = 0; depth < path.size(); ++depth) {
+        const TreeNode& n = tree.nodes[std::size_t(*node_at(tree, std::string_view(path).substr(0, depth)))];
+        (path[depth] == path_below ? cell.upper : cell.lower)[n.flag] = n.split;
+    }
+    if (!(position > cell.lower[axis] && position < cell.upper[axis])) return "it is not inside its cell";
+    return "its cell is empty, or as deep as leaves may lie";
+}
+
 }  // namespace kd

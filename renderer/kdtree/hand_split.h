@@ -33,4 +33,8 @@ struct HandSplit {
 /// The node at the end of a path; nothing where the tree ends before, or where a step is neither of the two.
 [[nodiscard]] std::optional<int> node_at(const KdTree& tree, std::string_view path);
 
+/// Why a plane is not used in a tree that was built with it, such as "the tree ends above its node"; nothing where it
+/// is.
+[[nodiscard]] std::optional<std::string> why_idle(const KdTree& tree, const HandSplit& split);
+
 }  // namespace kd

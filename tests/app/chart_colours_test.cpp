@@ -6,6 +6,7 @@
 #include "app/window/chart_marks.h"
 #include "app/window/theme.h"
 #include "viz/chart_palette.h"
+#include "viz/colormap.h"
 #include "viz/overlay.h"
 
 namespace kd {
@@ -34,6 +35,9 @@ TEST(ChartColours, TheCellsOfARayHaveNoColourThatStandsForADepth) {
     const auto byte = [](float x) { return static_cast<unsigned char>(std::lround(x * 255)); };
     const Rgba8 cells{byte(c.x), byte(c.y), byte(c.z), 255};
     for (int depth = 0; depth <= 12; ++depth) EXPECT_GT(apart(cells, depth_colour(depth, 12)), 192) << depth;
+    // Ratios of visits, on lines beside them.
+    const Colormap& ratios = get_colormap("blue-grey-orange");
+    for (const Rgba8 beyond : {ratios.below, ratios.above}) EXPECT_GT(apart(cells, beyond), 192);
 }
 
 }  // namespace

@@ -51,6 +51,46 @@ TEST(EngineSelection, ThePinnedPixelTellsLeafAndTriangle) {
     EXPECT_FALSE(state.hit);
 }
 
+TEST(EngineSelection, ATriangleClickedOnComesBeforePixels) {
+    Engine engine(small_session(), quiet());
+    ASSERT_TRUE(settle(engine));
+    const EngineState& state = engine.state();
+    const int other = int(state.world->scene().triangles.size()) - 1;
+    engine.select_triangle(other);
+    ASSERT_TRUE(state.hit);
+    EXPECT_EQ(state.hit->triangle, other);
+    EXPECT_FALSE(state.hit->has_ray);
+    EXPECT_EQ(state.hit->leaves, leaves_with(state.world->tree, other)) << "as if a ray had hit it";
+    engine.select_triangle(other + 1);
+    EXPECT_FALSE(state.hit) << "the scene has none such";
+    engine.select_triangle(std::nullopt);
+    engine.set_probes(PixelPosition{32, 24}, std::nullopt);
+    EXPECT_FALSE(state.hit) << "nobody looks at the tree";
+    TreeViewWish wish;
+    wish.columns = 100;
+    engine.show_tree(wish);
+    engine.set_probes(PixelPosition{32, 23}, std::nullopt);
+    ASSERT_TRUE(state.hit && state.hovered) << "of the pixel under the mouse";
+    EXPECT_EQ(state.hit->triangle, state.hovered->primary().hit.triangle);
+    EXPECT_TRUE(state.hit->has_ray);
+}
+
+TEST(EngineSelection, TrianglesOfANodeAreThoseOfItsLeaves) {
+    Engine engine(small_session(), quiet());
+    ASSERT_TRUE(settle(engine));
+    const KdTree& tree = engine.state().world->tree;
+    engine.select_node("a", false);
+    ASSERT_TRUE(engine.state().selected);
+    const std::vector<int>& triangles = *engine.state().selected->triangles;
+    const int count = int(engine.state().world->scene().triangles.size());
+    for (int triangle = 0; triangle < count; ++triangle) {
+        const std::vector<int> leaves = leaves_with(tree, triangle);
+        const bool below =
+            std::ranges::any_of(leaves, [&](int leaf) { return node_path(tree, leaf).starts_with("a"); });
+        EXPECT_EQ(std::ranges::binary_search(triangles, triangle), below) << triangle;
+    }
+}
+
 TEST(EngineSelection, CostsComeForTheNodeThatIsLookedAt) {
     Engine engine(small_session(), quiet());
     ASSERT_TRUE(settle(engine));

@@ -77,6 +77,11 @@ TEST(FigureText, TitleSaysWhatIsShown) {
     EXPECT_EQ(title_of("folder/model.glb", view), "folder/model.glb") << "a name is kept as it is";
     view.overlay.show = true;
     EXPECT_EQ(title_of("rooms", view), "Splits of the kd-tree down to depth 6");
+    view.overlay.colour = CellColour::ratio;
+    EXPECT_EQ(title_of("rooms", view),
+              "Splits of the kd-tree down to depth 6, by visits of shadow rays over predicted");
+    view.overlay.colour = CellColour::predicted;
+    EXPECT_EQ(title_of("rooms", view), "Splits of the kd-tree down to depth 6, by visits predicted");
 }
 
 TEST(FigureText, FilesCarryTheirSettings) {

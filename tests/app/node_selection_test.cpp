@@ -2,14 +2,18 @@
 #ifdef KD_WITH_WINDOW
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numeric>
 
 #include "app/panels/node_views.h"
 #include "app/panels/panel.h"
 #include "app/scenes.h"
 #include "app/window/cost_chart.h"
 #include "app/window/keys.h"
+#include "renderer/scene/units.h"
 #include "tests/app/ui_run.h"
+#include "viz/numbers.h"
 
 namespace kd {
 namespace {
@@ -166,11 +170,12 @@ TEST_F(NodeSelectionTest, EntriesBelowANodeAreThoseOfItsLeaves) {
 
 TEST_F(NodeSelectionTest, TheNearestCandidateIsTaken) {
     const std::vector<SplitCandidate> curve{{.position = 1}, {.position = 2}, {.position = 4}};
-    EXPECT_EQ(nearest_candidate(curve, -5), 1.0f);
-    EXPECT_EQ(nearest_candidate(curve, 1.4f), 1.0f);
-    EXPECT_EQ(nearest_candidate(curve, 1.6f), 2.0f);
-    EXPECT_EQ(nearest_candidate(curve, 3.1f), 4.0f);
-    EXPECT_EQ(nearest_candidate(curve, 9), 4.0f);
+    const auto nearest = [&](float position) { return nearest_candidate(curve, position)->position; };
+    EXPECT_EQ(nearest(-5), 1.0f);
+    EXPECT_EQ(nearest(1.4f), 1.0f);
+    EXPECT_EQ(nearest(1.6f), 2.0f);
+    EXPECT_EQ(nearest(3.1f), 4.0f);
+    EXPECT_EQ(nearest(9), 4.0f);
     EXPECT_FALSE(nearest_candidate({}, 1));
 }
 
@@ -185,6 +190,34 @@ TEST_F(NodeSelectionTest, ThinCurvesKeepTheCheapestPlanes) {
     EXPECT_EQ(cheapest->position, 337);
     EXPECT_EQ(cheapest->least, -1);
     EXPECT_EQ(cheapest->most, 9999) << "of the same part";
+}
+
+TEST_F(NodeSelectionTest, AClickOnATriangleOfTheSliceSelectsIt) {
+    TreeView made;
+    made.world = world;
+    made.cell_of.assign(world->tree.nodes.size(), -1);
+    made.of.slice = {2, world->tree.bounds.centre()[2]};
+    made.slice = slice_cells(world->tree, made.of.slice, max_tree_depth);
+    const Aabb& bounds = world->tree.bounds;
+    const float y = bounds.centre()[1];
+    made.segments = {{7, {bounds.lower[0], y}, {bounds.upper[0], y}}};  // across the middle of the slice
+    state.tree_view.view = std::make_shared<const TreeView>(made);
+    edit.window.pinned = PixelPosition{1, 2};
+    const auto panel = std::ranges::find(panels(), std::string_view(nodes_panel), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); }, 1000);
+    ui.point_at("slice");
+    EXPECT_TRUE(ui.tooltip().starts_with("triangle #7")) << ui.tooltip();
+    ui.click();
+    EXPECT_EQ(edit.window.triangle, 7);
+    EXPECT_FALSE(edit.window.pinned) << "one triangle at a time";
+    EXPECT_FALSE(edit.window.node);
+    const Rectangle slice = ui.place("slice");
+    ui.move_to({slice.x + slice.width / 2, slice.y + slice.height / 2 + 10});
+    ui.click();
+    EXPECT_TRUE(edit.window.node) << "beside it: the leaf";
+    EXPECT_EQ(edit.window.triangle, 7);
+    edits::release(edit);
+    EXPECT_FALSE(edit.window.triangle);
 }
 
 TEST_F(NodeSelectionTest, SplitsLeadsThroughTheTree) {
@@ -203,6 +236,43 @@ TEST_F(NodeSelectionTest, SplitsLeadsThroughTheTree) {
     EXPECT_EQ(edit.window.node, "");
     ui.click_on("below");
     EXPECT_EQ(edit.window.node, "b");
+}
+
+TEST_F(NodeSelectionTest, TheTooltipOfAChartNamesThePlaneThatAClickTakes) {
+    edits::select_node(state, edit, 0);
+    reckon_costs();
+    const auto panel = std::ranges::find(panels(), std::string_view(splits_panel), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); }, 1000);
+    for (const bool shift : {false, true})
+        for (int i = 1; i < 40; ++i) {
+            ui.move_to({});
+            ImGui::GetIO().KeyShift = shift;
+            ui.point_at("across y", 0.025f * float(i));
+            const std::string told = ui.tooltip();
+            ui.click();
+            ASSERT_EQ(planes().size(), 1u);
+            const float at = to_scene_units(world->scene(), planes()[0].position);
+            EXPECT_TRUE(told.starts_with(fmt::format("y at {}", number_text(double(at))))) << told << "\n" << at;
+        }
+}
+
+TEST_F(NodeSelectionTest, APlaneStandsOnTheCurveAtItsCost) {
+    edits::select_node(state, edit, 0);
+    reckon_costs();
+    const CellCosts& costs = *state.cell.costs;
+    ASSERT_TRUE(costs.chosen);
+    const int axis = costs.chosen->axis;
+    const CostChart chart{.cell = state.cell, .axis = axis, .scale = {}, .plane = {}};
+    EXPECT_EQ(cost_at(chart, costs.chosen->position), costs.chosen_cost);
+    const std::vector<SplitCandidate>& curve = costs.curves[std::size_t(axis)];
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const SplitCandidate &low = curve[i - 1], &high = curve[i];
+        EXPECT_EQ(cost_at(chart, high.position), high.cost);
+        const double between = cost_at(chart, std::midpoint(low.position, high.position));
+        EXPECT_LE(std::min(low.cost, high.cost), between);
+        EXPECT_GE(std::max(low.cost, high.cost), between);
+    }
+    EXPECT_EQ(cost_at(chart, costs.cell.upper[axis]), curve.back().cost) << "behind the last";
 }
 
 TEST_F(NodeSelectionTest, AClickInAChartPutsThePlaneThere) {
@@ -225,6 +295,55 @@ TEST_F(NodeSelectionTest, AClickInAChartPutsThePlaneThere) {
     EXPECT_EQ(planes(), (std::vector<HandSplit>{{"", median.split->axis, median.split->position}}));
     ui.click_on("undo");
     EXPECT_TRUE(planes().empty());
+}
+
+TEST_F(NodeSelectionTest, ThePlaneOfTheNodeIsCopiedAsAnOption) {
+    edits::select_node(state, edit, world->tree.nodes[0].link);
+    edits::put_plane(edit, {"a", 1, 0.1f}, true);
+    reckon_costs();
+    const auto panel = std::ranges::find(panels(), std::string_view(splits_panel), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); }, 1000);
+    ui.click_on("copy --split");
+    EXPECT_EQ(ImGui::GetClipboardText(),
+              fmt::format("--split a:y:{}", to_scene_units(world->scene(), 0.1f)));  // the shortest text that is exact
+}
+
+TEST_F(NodeSelectionTest, EveryPlaneByHandIsNamedAndTheIdleSayWhy) {
+    const Aabb& bounds = world->tree.bounds;
+    const std::string deep(max_tree_depth - 1, path_below);
+    BuildConfig config;
+    config.by_hand = {{"", 0, bounds.centre()[0]}, {"a", 0, bounds.lower[0]}, {deep, 1, 0}};
+    auto built = std::make_shared<World>(*world);
+    built->built_with = config;
+    built->tree = build_tree(world->scene().triangles, config, &built->report);
+    EXPECT_EQ(built->report.idle_hand_splits, 2);
+    state.world = built;
+    edit.session.build = config;
+    state.plane_effect.planes = true;
+    const auto panel = std::ranges::find(panels(), std::string_view(splits_panel), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); }, 1000);
+    ui.point_at("planes/root");
+    EXPECT_EQ(ui.tooltip().find("Not used"), std::string::npos);
+    ui.point_at("planes/a");
+    EXPECT_NE(ui.tooltip().find("Not used: it is not inside its cell"), std::string::npos) << ui.tooltip();
+    ui.point_at("planes/" + deep);
+    EXPECT_NE(ui.tooltip().find("Not used: the tree ends above its node"), std::string::npos) << ui.tooltip();
+    ui.click_on("planes/a");
+    EXPECT_EQ(edit.window.node, "a");
+    edits::put_planes_back(edit);
+    edits::undo_planes(edit);
+    EXPECT_EQ(planes(), config.by_hand);
+}
+
+TEST_F(NodeSelectionTest, PlanesRemovedInTreeComeBackWithUndo) {
+    edits::put_plane(edit, {"", 0, 0.1f}, true);
+    const auto panel = std::ranges::find(panels(), std::string_view("TREE"), &Panel::title);
+    test::Ui ui([&] { panel->draw(state, edit); });
+    ui.click_on("remove 1");
+    EXPECT_TRUE(planes().empty());
+    EXPECT_TRUE(ui.sees("none")) << "the row stays";
+    edits::undo_planes(edit);
+    EXPECT_EQ(planes().size(), 1u);
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ class Ui {
         return {};
     }
 
+    /// What the tooltip says; empty where none is shown.
+    [[nodiscard]] const std::string& tooltip() const { return places_.tooltip; }
+
     /// A share of its width from its left.
     void point_at(const std::string& label, float share = 0.5f) {
         const Rectangle r = place(label);

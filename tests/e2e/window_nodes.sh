@@ -17,6 +17,8 @@ press i
 wait_for '^bottom=NODES$'
 wait_for '^nodes.icicle='
 wait_for '^nodes.slice='
+[[ $(value nodes.colour) == visits ]] || fail "nodes begin with colours by $(value nodes.colour), not by visits of this frame"
+wait_for '^nodes.coloured=true$'
 see_place "NODES/icicle" icicle.png
 see_place "NODES/slice" slice.png
 see_picture picture.png
@@ -70,10 +72,28 @@ click_on "NODES/whole tree"
 wait_for '^nodes.root=$'
 click_on "NODES/x"
 wait_for '^nodes.slice_axis=0$'
-choose "NODES/colours" ratio
-wait_for '^nodes.coloured=true$'
-see_place "NODES/icicle" icicle_ratio.png
-differ icicle.png icicle_ratio.png "visits over predicted look like depths"
+see_place "NODES/icicle" icicle_visits.png
+for colour in depth predicted ratio; do
+    choose "NODES/colours" $colour
+    wait_for "^nodes.colour=$colour\$"
+    wait_for '^nodes.coloured=true$'
+    see_place "NODES/icicle" icicle_$colour.png
+    differ icicle_visits.png icicle_$colour.png "$colour looks like visits"
+done
+
+# A triangle by itself: where a click in the slice meets one. It is marked in picture, slice and icicle.
+see_place "NODES/slice" slice_x.png
+see_picture picture_x.png
+point_at "NODES/triangle in slice" && hold && let_go
+wait_for '^hit.has_ray=false$'
+see_place "NODES/slice" slice_triangle.png
+see_place "NODES/icicle" icicle_triangle.png
+see_picture picture_triangle.png
+differ slice_x.png slice_triangle.png "the triangle selected is not marked in the slice"
+differ icicle_ratio.png icicle_triangle.png "the leaves of the triangle selected are not marked in the icicle"
+differ picture_x.png picture_triangle.png "the triangle selected is not marked in the picture"
+press Escape
+wait_for '^hit=null$'
 choose "NODES/width" "surface area"
 sleep 1
 see_place "NODES/icicle" icicle_area.png

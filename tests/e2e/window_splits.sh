@@ -69,7 +69,7 @@ look put_back.png
 same marked.png put_back.png || fail "the picture is another after the plane was put back"
 click_on "SPLITS/builder spatial-median"
 wait_for '^splits.planes=1$'
-click_on "SPLITS/all"
+click_on "SPLITS/put all back"
 wait_for '^splits.planes=0$'
 
 # A plane of another axis; the other way down.

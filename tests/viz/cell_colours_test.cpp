@@ -10,6 +10,7 @@
 #include "tests/viz/golden.h"
 #include "tests/viz/synthetic.h"
 #include "viz/figure.h"
+#include "viz/legend_text.h"
 
 namespace kd {
 namespace {
@@ -44,6 +45,19 @@ TEST(CellColours, RatiosDivergeAroundOne) {
     EXPECT_EQ(made.scale.map.subject, "shadow rays");
 }
 
+TEST(CellColours, TheMostCrowdedCellIsNotClipped) {
+    NodeVisits visits = known_visits();
+    visits.count[4] = 17 * 7;
+    const CellColours made = cell_colours(test::three_leaf_tree(), CellColour::ratio, 64, "viridis", &visits);
+    EXPECT_FLOAT_EQ(made.scale.heat.range_max, 7);
+    EXPECT_EQ(made.scale.summary.above, 0);
+    visits.count[4] = 17 * 70;
+    const MapSummary wild =
+        cell_colours(test::three_leaf_tree(), CellColour::ratio, 64, "viridis", &visits).scale.summary;
+    EXPECT_FLOAT_EQ(wild.range.max, 20) << "a scale that tells two from four";
+    EXPECT_EQ(wild.above, 1);
+}
+
 TEST(CellColours, OnlyCellsShownMakeTheScale) {
     const NodeVisits visits = known_visits();
     const CellColours made = cell_colours(test::three_leaf_tree(), CellColour::visits, 1, "viridis", &visits);
@@ -64,11 +78,17 @@ TEST(CellColours, NothingCountedHasNoValuesButThePredictionNeedsNone) {
             const CellColours made = cell_colours(tree, colour, 64, "viridis", visits);
             EXPECT_EQ(made.scale.summary.count, 0);
             for (const Rgba8& c : made.of_node) EXPECT_EQ(c, untraced_colour);
+            EXPECT_FALSE(cells_note(made.scale).empty());
+            const LegendText legend = legend_text(made.scale.map, made.scale.heat, made.scale.summary, {});
+            EXPECT_TRUE(legend.ticks.empty()) << "no invented scale";
         }
         EXPECT_EQ(cell_colours(tree, CellColour::predicted, 64, "viridis", visits).scale.summary.count, 5);
     }
     EXPECT_FALSE(cell_colours(tree, CellColour::visits, 64, "viridis", nullptr).scale.map.facts.empty())
         << "the legend says why";
+    EXPECT_EQ(cells_note(cell_colours(tree, CellColour::visits, 64, "viridis", &none).scale),
+              "cells have no colours by visits: primary rays, no such rays");
+    EXPECT_EQ(cells_note(cell_colours(tree, CellColour::predicted, 64, "viridis", &none).scale), "");
     EXPECT_THROW((void)cell_colours(tree, CellColour::predicted, 64, "nonsense", nullptr), InputError);
 }
 
