@@ -92,7 +92,8 @@ std::vector<std::string> build_notes(const BuildReport& report) {
             fmt::format("{} of {} planes by hand not used: no such node, or the plane is not inside its cell",
                         report.idle_hand_splits, report.hand_splits));
     if (report.tests_cost_nothing)
-        notes.emplace_back("one leaf holds all triangles: where tests cost nothing no split pays; raise t_i");
+        notes.emplace_back(
+            "one leaf holds all triangles: where tests cost nothing no split pays; raise the intersection cost");
     return notes;
 }
 
