@@ -159,6 +159,8 @@ CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth, c
         if (counted) of_a_ray.counted = double(visits->count[std::size_t(cells[i].node)]) / double(visits->rays);
         scale.map.values.pixels[i] = float(value_of(colour, of_a_ray));
     }
+    const auto idle = std::ranges::count(scale.map.values.pixels, 0.0f);
+    if (idle > 0) scale.map.facts.push_back({"never visited", fmt::format("{} of {} cells", idle, cells.size())});
     scale.heat = heat_of(colour, colormap, scale.map);
     scale.summary = summarise_map(scale.map, scale.heat);
     const Image<Rgba8> colours = paint_map(scale.map, scale.heat, scale.summary.range);

@@ -259,6 +259,23 @@ void draw_slice_marks(ImDrawList& list, const TreeView& view, const Canvas& canv
     if (Places* places = Places::current()) places->add("selected in slice", low, high);
 }
 
+/// What the mouse points at in the slice: a triangle's cut before the leaf that it is in, also at the tree's own faces.
+void read_slice(const TreeView& view, const Canvas& canvas, const EngineState& state, Edit& edit) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const std::optional<int> node = slice_node(view.slice, canvas.point(mouse));
+    const std::optional<int> triangle = triangle_at(view, canvas, mouse);
+    if (!node && !triangle) return;
+    const bool clicked = is_current(state, view) && ImGui::IsItemActivated();
+    if (clicked && triangle)
+        edits::select_triangle(edit, *triangle);
+    else if (clicked)
+        edits::select_node(state, edit, *node);
+    std::string text = triangle ? fmt::format("triangle #{}", *triangle) : "";
+    if (node) text += (triangle ? ", in " : "") + node_text(view, *node);
+    text += triangle ? "\n\nClick: select the triangle." : "\n\nClick: select the leaf.";
+    widgets::read_out(text + " Wheel: move the slice.", clicked);
+}
+
 }  // namespace
 
 void draw_slice(const EngineState& state, Edit& edit) {
@@ -281,17 +298,7 @@ void draw_slice(const EngineState& state, Edit& edit) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
         edit.window.nodes.slice_share = std::clamp(edit.window.nodes.slice_share + 0.01f * io.MouseWheel, 0.0f, 1.0f);
-    const std::optional<int> node = slice_node(view->slice, canvas.point(io.MousePos));
-    if (!node) return;
-    const std::optional<int> triangle = triangle_at(*view, canvas, io.MousePos);
-    const bool clicked = is_current(state, *view) && ImGui::IsItemActivated();
-    if (clicked && triangle) edits::select_triangle(edit, *triangle);
-    if (clicked && !triangle) edits::select_node(state, edit, *node);
-    const std::string what =
-        triangle ? fmt::format("triangle #{}, in {}", *triangle, node_text(*view, *node)) : node_text(*view, *node);
-    widgets::read_out(what + (triangle ? "\n\nClick: select the triangle." : "\n\nClick: select the leaf.") +
-                          " Wheel: move the slice.",
-                      clicked);
+    read_slice(*view, canvas, state, edit);
 }
 
 }  // namespace kd

@@ -54,7 +54,8 @@ void draw_scale(const NodeColours& colours, CellColour colour) {
     }
     ImGui::Dummy({width, ImGui::GetTextLineHeight()});
     Places::note("scale");
-    widgets::hint(all_cell_colours()[std::size_t(colour)].summary);
+    const std::string about(all_cell_colours()[std::size_t(colour)].summary);
+    widgets::hint(needs_visits(colour) ? about + " What no ray visits has the colour beyond the lower end." : about);
     ImGui::SameLine(0, theme::px(4));
     ImGui::TextUnformatted(high.c_str());
 }

@@ -40,7 +40,24 @@ void draw_constants(BuildConfig& b) {
                         "are swept exactly. Few: planes miss the edges of things, whose outlines glow. Option --bins.");
 }
 
-void draw_more_constants(BuildConfig& b, const EngineState& state) {
+/// Planes that a person put, however they came there. The row stands there without any, too: the first plane pushes
+/// nothing down.
+void draw_hands(const EngineState& state, Edit& edit) {
+    const std::vector<HandSplit>& by_hand = edit.session.build.by_hand;
+    const int idle = state.world && !by_hand.empty() ? state.world->report.idle_hand_splits : 0;
+    widgets::begin_row("planes by hand",
+                       "They stand in the place of the builder's: the picture is dark where they keep rays from nodes "
+                       "that the builder's do not. Put with SPLITS, which names those that are not used and says why. "
+                       "Option --split.");
+    const std::string label = by_hand.empty() ? "none"
+                              : idle > 0      ? fmt::format("remove {} ({} idle)", by_hand.size(), idle)
+                                              : fmt::format("remove {}", by_hand.size());
+    const char* about = by_hand.empty() ? "There are none: SPLITS puts them." : "The builder chooses everywhere again.";
+    if (widgets::button(label.c_str(), about, !by_hand.empty(), widgets::control_width())) edits::put_planes_back(edit);
+}
+
+void draw_more_constants(const EngineState& state, Edit& edit) {
+    BuildConfig& b = edit.session.build;
     if (!widgets::fold("more constants", false)) return;
     widgets::slider("bonus gate", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node. Near 0, the "
@@ -67,21 +84,7 @@ void draw_more_constants(BuildConfig& b, const EngineState& state) {
                     "A leaf names only triangles whose surface reaches its cell. Off: all whose box does, as in the "
                     "paper; the map of triangle tests glows more, that of nodes stays. Option --box-leaves turns it "
                     "off.");
-}
-
-/// Planes that a person put, however they came there. The row is always there: the first plane pushes nothing down.
-void draw_hands(const EngineState& state, Edit& edit) {
-    const std::vector<HandSplit>& by_hand = edit.session.build.by_hand;
-    const int idle = state.world && !by_hand.empty() ? state.world->report.idle_hand_splits : 0;
-    widgets::begin_row("planes by hand",
-                       "They stand in the place of the builder's: the picture is dark where they keep rays from nodes "
-                       "that the builder's do not. Put with SPLITS, which names those that are not used and says why. "
-                       "Option --split.");
-    const std::string label = by_hand.empty() ? "none"
-                              : idle > 0      ? fmt::format("remove {} ({} idle)", by_hand.size(), idle)
-                                              : fmt::format("remove {}", by_hand.size());
-    const char* about = by_hand.empty() ? "There are none: SPLITS puts them." : "The builder chooses everywhere again.";
-    if (widgets::button(label.c_str(), about, !by_hand.empty(), widgets::control_width())) edits::put_planes_back(edit);
+    draw_hands(state, edit);
 }
 
 /// Two ways back from constants that were tried.
@@ -131,8 +134,7 @@ void draw_tree_panel(const EngineState& state, Edit& edit) {
     draw_builder(edit);
     draw_constants(edit.session.build);
     draw_presets(edit.session.build);
-    draw_more_constants(edit.session.build, state);
-    draw_hands(state, edit);
+    draw_more_constants(state, edit);
     if (state.world) draw_statistics(state);
 }
 

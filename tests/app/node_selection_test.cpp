@@ -339,6 +339,7 @@ TEST_F(NodeSelectionTest, PlanesRemovedInTreeComeBackWithUndo) {
     edits::put_plane(edit, {"", 0, 0.1f}, true);
     const auto panel = std::ranges::find(panels(), std::string_view("TREE"), &Panel::title);
     test::Ui ui([&] { panel->draw(state, edit); });
+    ui.click_on("more constants");
     ui.click_on("remove 1");
     EXPECT_TRUE(planes().empty());
     EXPECT_TRUE(ui.sees("none")) << "the row stays";

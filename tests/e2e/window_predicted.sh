@@ -8,7 +8,9 @@ press Shift+p
 wait_for '^bottom=PREDICTED$'
 wait_for '^visits.outdated=false$'
 wait_for '^visits.kind=primary$'
-holds "$(value visits.rho) > 0 && $(value visits.rho) < 1" || fail "rho is $(value visits.rho)"
+# 0.39 when it was measured: where rays end and where they start is what the prediction does not know, so it is far from 1, and more than
+# the 0.2 of a prediction that knew next to nothing. Rounding and threads change nothing: the counts are exact.
+holds "$(value visits.rho) > 0.2 && $(value visits.rho) < 0.6" || fail "rho is $(value visits.rho)"
 holds "$(value visits.interior) < $(value visits.predicted_interior)" || fail "nothing stops the rays"
 
 # A click on a point selects its node; the root is the point of most predicted visits.

@@ -42,6 +42,8 @@ TEST(CellColours, RatiosDivergeAroundOne) {
     EXPECT_EQ(made.of_node[0], colours(0.5f)) << "as predicted";
     EXPECT_EQ(made.of_node[2], colours(1));
     EXPECT_EQ(made.of_node[3], colours.below) << "never visited";
+    ASSERT_EQ(made.scale.map.facts.size(), 1u);
+    EXPECT_EQ(made.scale.map.facts[0].value, "1 of 5 cells");
     EXPECT_EQ(made.scale.map.subject, "shadow rays");
 }
 
