@@ -59,8 +59,8 @@ TEST(Reports, StoreWhatWasChosenForAllOfTheirRows) {
     EXPECT_EQ(bench["shadows"], false);
     EXPECT_EQ(bench["camera"]["eye"], (std::vector{0, 1, 4}));
     EXPECT_FALSE(bench.contains("traversal")) << "each row has its own";
-    EXPECT_EQ(settings({"stability", "--case", " t02", "--traversal", "stack"}),
-              json({{"nodes", 16}, {"rules", "as-published"}}));
+    EXPECT_EQ(settings({"stability", "--case", " t02", "--traversal", "stack", "--builder", "exact"}),
+              json({{"builder", "exact"}, {"nodes", 16}, {"rules", "as-published"}}));
     EXPECT_EQ(settings({"stats", "cornell", "--divergence", "--size", "8x8", "--traversal", "stack"})["rules"],
               "as-published");
     // Tables have it as a comment.
