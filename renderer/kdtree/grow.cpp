@@ -105,48 +105,63 @@ class Crown {
     KdTree joined() {
         KdTree tree;
         tree.bounds = bounds_;
-        tree.nodes.clear();
-        std::size_t nodes = branches_.size(), references = 0;
-        for (const Branch& branch : branches_) {
-            nodes += branch.part.nodes.size();
-            references += branch.part.references.size();
+        std::size_t nodes = branches_.size() - parts_.size(), references = 0;
+        for (const int i : parts_) {
+            nodes += branches_[std::size_t(i)].part.nodes.size();
+            references += branches_[std::size_t(i)].part.references.size();
         }
-        tree.nodes.reserve(nodes);
-        tree.references.reserve(references);
-        struct Place {
-            int branch, parent;
-            bool is_above;
-        };
-        std::vector<Place> places{{0, -1, false}};
-        while (!places.empty()) {
-            const auto [number, parent, is_above] = places.back();
-            places.pop_back();
-            const Branch& branch = branches_[std::size_t(number)];
-            const int node = int(tree.nodes.size());
-            if (is_above) tree.nodes[std::size_t(parent)].link = node;
-            if (branch.below < 0) {
-                append(tree, branch.part, parent);
-                continue;
-            }
-            TreeNode& interior = tree.nodes.emplace_back();
-            interior.parent = parent;
-            interior.flag = branch.split.axis;
-            interior.split = branch.split.position;
-            places.push_back({branch.above, node, true});
-            places.push_back({branch.below, node, false});
-        }
+        tree.nodes.resize(nodes);
+        tree.references.resize(references);
+        const std::vector<Place> places = find_places(tree);
+        parallel_ranges(places.size(), 1, task_.threads, [&](std::size_t i, std::size_t) { put(tree, places[i]); });
         return tree;
     }
 
-    static void append(KdTree& tree, const KdTree& part, int parent) {
-        const auto first_node = std::int32_t(tree.nodes.size());
-        const auto first_reference = std::int32_t(tree.references.size());
-        for (TreeNode node : part.nodes) {
-            node.link += node.is_leaf() ? first_reference : first_node;
-            node.parent = node.parent < 0 ? parent : node.parent + first_node;
-            tree.nodes.push_back(node);
+    /// Where a part goes.
+    struct Place {
+        int branch, parent;
+        std::int32_t first_node, first_reference;
+    };
+
+    /// Writes the nodes above the parts.
+    std::vector<Place> find_places(KdTree& tree) {
+        struct Link {
+            int branch, parent;
+            bool is_above;
+        };
+        std::vector<Place> places;
+        std::int32_t node = 0, reference = 0;
+        for (std::vector<Link> links{{0, -1, false}}; !links.empty();) {
+            const auto [number, parent, is_above] = links.back();
+            links.pop_back();
+            const Branch& branch = branches_[std::size_t(number)];
+            if (is_above) tree.nodes[std::size_t(parent)].link = node;
+            if (branch.below < 0) {
+                places.push_back({number, parent, node, reference});
+                node += std::int32_t(branch.part.nodes.size());
+                reference += std::int32_t(branch.part.references.size());
+                continue;
+            }
+            TreeNode& interior = tree.nodes[std::size_t(node)];
+            interior.parent = parent;
+            interior.flag = branch.split.axis;
+            interior.split = branch.split.position;
+            links.push_back({branch.above, node, true});
+            links.push_back({branch.below, node, false});
+            ++node;
         }
-        tree.references.insert(tree.references.end(), part.references.begin(), part.references.end());
+        return places;
+    }
+
+    void put(KdTree& tree, const Place& place) {
+        const KdTree part = std::move(branches_[std::size_t(place.branch)].part);
+        TreeNode* to = tree.nodes.data() + place.first_node;
+        for (TreeNode node : part.nodes) {
+            node.link += node.is_leaf() ? place.first_reference : place.first_node;
+            node.parent = node.parent < 0 ? place.parent : node.parent + place.first_node;
+            *to++ = node;
+        }
+        std::ranges::copy(part.references, tree.references.begin() + place.first_reference);
     }
 
     const BuildTask& task_;

@@ -33,6 +33,7 @@ KdTree Grower::grow() {
         pending_.push_back(take_below(pending_.back(), *split, node));
     }
     progress_.advance(untold_);
+    budget_.spend(unspent_);
     clock_.finish();
     return std::move(tree_);
 }
@@ -123,7 +124,9 @@ void Grower::make_leaf() {
     for (const std::int32_t t : lists_.top())
         if (!trim || !surface_avoids(task_.triangles[std::size_t(t)], at.cell)) tree_.references.push_back(t);
     leaf.count = std::int32_t(tree_.references.size()) - leaf.link;
-    budget_.spend(leaf.count);
+    // By and by: threads that write the same memory at every leaf wait for each other.
+    unspent_ += leaf.count;
+    if (unspent_ >= 4096) budget_.spend(std::exchange(unspent_, 0));
     lists_.drop();
     splitter_->dropped();
     clock_.end(&BuildPhases::leaves);

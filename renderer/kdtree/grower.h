@@ -72,7 +72,8 @@ class Grower {
     std::vector<Pending> pending_;
     BuildReport report_;
     PhaseClock clock_;
-    double untold_ = 0.0;  // work done since SharedProgress was told last
+    double untold_ = 0.0;       // work done since SharedProgress was told last
+    std::int64_t unspent_ = 0;  // references that the budget does not know of
 };
 
 }  // namespace kd
