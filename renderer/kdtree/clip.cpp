@@ -31,8 +31,12 @@ struct Polygon {
     std::size_t size = 0;
 
     Polygon() {}  // NOLINT: not {}, which would clear them all
-    Polygon(const Polygon& other) : size(other.size) { std::copy_n(other.vertex.begin(), size, vertex.begin()); }
-    Polygon& operator=(const Polygon&) = delete;
+    Polygon(const Polygon&) = delete;
+    Polygon& operator=(const Polygon& other) {
+        size = other.size;
+        std::copy_n(other.vertex.begin(), size, vertex.begin());
+        return *this;
+    }
 
     void add(const Point& at, bool is_corner) { vertex[size++] = {at, is_corner}; }
 };
@@ -91,6 +95,12 @@ class Clipped {
             margin_[axis] = clip_rounding * std::max(std::abs(least_[axis]), std::abs(most_[axis]));
         }
     }
+
+    /// Only what is left: the other polygon is nothing but room.
+    Clipped(const Clipped& other) : least_(other.least_), most_(other.most_), margin_(other.margin_) {
+        left() = other.polygons_[other.now_];
+    }
+    Clipped& operator=(const Clipped&) = delete;
 
     void keep_above(std::size_t axis, double plane) {
         if (least_[axis] < plane) keep(axis, plane - margin_[axis], 1.0);

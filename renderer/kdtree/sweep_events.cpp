@@ -59,6 +59,7 @@ void radix_sort(std::vector<SweepEvent>& events) {
 }  // namespace
 
 void sort_events(std::vector<SweepEvent>& events) {
+    if (events.size() < 2) return;  // as most are, of cells that cut few triangles
     constexpr std::size_t worth_its_tables = 4096;
     if (events.size() >= worth_its_tables)
         radix_sort(events);
