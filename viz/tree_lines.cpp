@@ -7,27 +7,6 @@
 
 namespace kd {
 
-Cell cell_of(const KdTree& tree, int node) {
-    Cell cell{0, 0, tree.bounds};
-    for (const char step : node_path(tree, node)) {
-        const TreeNode& n = tree.nodes[static_cast<std::size_t>(cell.node)];
-        cell = step == path_below ? child_below(n, cell) : child_above(n, cell);
-    }
-    return cell;
-}
-
-Cell child_below(const TreeNode& n, const Cell& cell) {
-    Cell child{cell.node + 1, cell.depth + 1, cell.box};
-    child.box.upper[n.flag] = n.split;
-    return child;
-}
-
-Cell child_above(const TreeNode& n, const Cell& cell) {
-    Cell child{n.link, cell.depth + 1, cell.box};
-    child.box.lower[n.flag] = n.split;
-    return child;
-}
-
 void add_plane(const TreeNode& n, const Cell& cell, std::vector<WorldLine>& lines) {
     const int u = (n.flag + 1) % 3;
     const int v = (n.flag + 2) % 3;

@@ -4,22 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/kdtree/cell.h"
 #include "viz/overlay.h"
 
 namespace kd {
-
-/// A node with the part of space that it covers.
-struct Cell {
-    int node;
-    int depth;
-    Aabb box;
-};
-
-/// The cell of a node, from the planes above it.
-[[nodiscard]] Cell cell_of(const KdTree& tree, int node);
-
-[[nodiscard]] Cell child_below(const TreeNode& n, const Cell& cell);
-[[nodiscard]] Cell child_above(const TreeNode& n, const Cell& cell);
 
 /// The outline of the split plane of `n`, the node of `cell`: 4 lines.
 void add_plane(const TreeNode& n, const Cell& cell, std::vector<WorldLine>& lines);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/engine/engine.h"
+#include "renderer/kdtree/cell.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/walk_recorder.h"
 #include "renderer/scene/units.h"

@@ -24,19 +24,6 @@ std::optional<NodeSelection> select_node(const KdTree& tree, const std::string& 
                          {}};
 }
 
-std::vector<int> triangles_below(const KdTree& tree, int node) {
-    int first = node, last = node;
-    while (!tree.nodes[std::size_t(first)].is_leaf()) ++first;
-    while (!tree.nodes[std::size_t(last)].is_leaf()) last = tree.nodes[std::size_t(last)].link;
-    // Leaf lists stand in the order of the leaves.
-    const TreeNode& end = tree.nodes[std::size_t(last)];
-    std::vector<int> triangles(tree.references.begin() + tree.nodes[std::size_t(first)].link,
-                               tree.references.begin() + end.link + end.count);
-    std::ranges::sort(triangles);
-    triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
-    return triangles;
-}
-
 std::vector<int> leaves_with(const KdTree& tree, int triangle) {
     std::vector<int> leaves;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

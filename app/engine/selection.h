@@ -47,9 +47,6 @@ struct HitSelection {
     std::vector<ScreenLine> outline;     // of the triangle, in the picture
 };
 
-/// Numbers of the triangles in the leaves below a node, ascending, each once.
-[[nodiscard]] std::vector<int> triangles_below(const KdTree& tree, int node);
-
 /// The leaves whose lists name the triangle.
 [[nodiscard]] std::vector<int> leaves_with(const KdTree& tree, int triangle);
 

@@ -89,7 +89,7 @@ std::vector<std::string> build_notes(const BuildReport& report) {
     if (report.reference_cap_hit) notes.emplace_back(reference_cap_note);
     if (report.idle_hand_splits > 0)
         notes.push_back(
-            fmt::format("{} of {} planes by hand not used: no such node, or the plane is not inside its cell",
+            fmt::format("{} of {} planes by hand not used: no such node, a plane outside of its cell, or a limit",
                         report.idle_hand_splits, report.hand_splits));
     if (report.tests_cost_nothing)
         notes.emplace_back(
@@ -113,7 +113,12 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     BuildReport own_report;
     BuildReport& told = report ? *report : own_report;
     told = BuildReport{};
-    const BuildTask task{triangles, config, told, progress, std::move(stop), threads};
+    // A tree that grows a second time does not go back.
+    float most_told = 0;
+    const BuildProgress rising = [&](float done) {
+        if (done > most_told) progress(most_told = done);
+    };
+    const BuildTask task{triangles, config, told, progress ? rising : progress, std::move(stop), threads};
     const TriangleRanges ranges(triangles);
     told.phases.prepare = seconds_since(begin);
     const auto grow = [&](Refusal refusal) {

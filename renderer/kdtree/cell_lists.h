@@ -71,6 +71,9 @@ class CellLists {
         return sides_;
     }
 
+    /// Takes sides() that others have used, and gives away its own.
+    void swap_room(std::vector<std::uint8_t>& sides) { sides_.swap(sides); }
+
   private:
     CellLists(const TriangleRanges& ranges, ListStack<std::int32_t> lists)
         : ranges_(&ranges), lists_(std::move(lists)) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 
+#include "renderer/kdtree/cell.h"
 #include "renderer/kdtree/clip.h"
 #include "renderer/kdtree/replay.h"
 #include "renderer/kdtree/sah.h"
@@ -11,26 +12,6 @@
 namespace kd {
 
 namespace {
-
-/// The node behind the last one of a node's subtree: nodes stand in depth-first order.
-int subtree_end(const KdTree& tree, int node) {
-    while (!tree.nodes[std::size_t(node)].is_leaf()) node = tree.nodes[std::size_t(node)].link;
-    return node + 1;
-}
-
-std::vector<std::int32_t> triangles_below(const KdTree& tree, int node) {
-    std::vector<std::int32_t> numbers;
-    for (int i = node; i < subtree_end(tree, node); ++i) {
-        const TreeNode& n = tree.nodes[std::size_t(i)];
-        if (!n.is_leaf()) continue;
-        const auto first = tree.references.begin() + n.link;
-        numbers.insert(numbers.end(), first, first + n.count);
-    }
-    std::ranges::sort(numbers);
-    const auto repeated = std::ranges::unique(numbers);
-    numbers.erase(repeated.begin(), repeated.end());
-    return numbers;
-}
 
 Aabb common_part(const Aabb& a, const Aabb& b) { return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)}; }
 
@@ -64,7 +45,8 @@ class CellParts {
     [[nodiscard]] SplitCandidate at(int axis, float position) const {
         int below = 0, planar = 0, above = 0;
         for (const Aabb& box : boxes_) {
-            const bool reaches_below = box.lower[axis]<position, reaches_above = box.upper[axis]> position;
+            const bool reaches_below = box.lower[axis] < position;
+            const bool reaches_above = box.upper[axis] > position;
             below += reaches_below;
             above += reaches_above;
             planar += !reaches_below && !reaches_above;
@@ -126,11 +108,9 @@ CellCosts cell_costs(std::span<const Triangle> triangles, const KdTree& tree, in
     costs.node = node;
     costs.triangles = triangles_below(tree, node);
     costs.leaf_cost = costs.chosen_cost = leaf_cost(config, int(costs.triangles.size()));
-    costs.cell = tree.bounds;
-    const std::vector<WayStep> way = way_to(tree, node);
-    costs.depth = int(way.size());
-    for (const WayStep& step : way)
-        (step.above ? costs.cell.lower : costs.cell.upper)[step.split.axis] = step.split.position;
+    const Cell cell = cell_of(tree, node);
+    costs.cell = cell.box;
+    costs.depth = cell.depth;
     if (!(costs.cell.surface_area() > 0.0)) return costs;
 
     const CellParts parts(config, costs.cell, triangles, costs.triangles);
@@ -143,7 +123,7 @@ CellCosts cell_costs(std::span<const Triangle> triangles, const KdTree& tree, in
         costs.chosen = Split{.axis = n.flag, .position = n.split, .below = own.below, .above = own.above};
         costs.chosen_cost = own.cost;
     }
-    costs.choices = all_choices(triangles, tree.bounds, costs, way, config, parts, stop);
+    costs.choices = all_choices(triangles, tree.bounds, costs, way_to(tree, node), config, parts, stop);
     return costs;
 }
 

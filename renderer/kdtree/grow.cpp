@@ -14,8 +14,8 @@ namespace {
 class Crown {
   public:
     Crown(const BuildTask& task, const TriangleRanges& ranges, std::unique_ptr<Splitter> splitter, Refusal refusal)
-        : task_(task), bounds_(ranges.bounds), progress_(task.progress),
-          budget_(refusal == Refusal::whole_tree ? most_references(task) : unlimited) {
+        : task_(task), bounds_(ranges.bounds),
+          shared_(task.progress, refusal == Refusal::whole_tree ? most_references(task) : unlimited) {
         const std::int64_t allowance = refusal == Refusal::each_cell ? most_references(task) : unlimited;
         const Pending root{.cell = bounds_, .allowance = allowance};
         add(Seed{root, CellLists(ranges), std::move(splitter)});
@@ -24,9 +24,10 @@ class Crown {
     std::optional<KdTree> grow() {
         while (!round_.empty()) split_round();
         grow_parts();
+        for (const Branch& branch : branches_) task_.report.phases.add(branch.report.phases);
+        if (shared_.budget.is_overspent()) return std::nullopt;
         collect_reports();
-        if (budget_.is_overspent()) return std::nullopt;
-        progress_.end();
+        shared_.progress.end();
         return joined();
     }
 
@@ -60,7 +61,7 @@ class Crown {
         std::vector<std::optional<Grower::Halves>> halves(round.size());
         parallel_ranges(round.size(), 1, task_.threads, [&](std::size_t i, std::size_t) {
             Branch& branch = branches_[std::size_t(round[i])];
-            Grower grower(task_, progress_, budget_, *std::exchange(branch.seed, std::nullopt));
+            Grower grower(task_, shared_, *std::exchange(branch.seed, std::nullopt));
             halves[i] = grower.halve();
             if (!halves[i]) branch.seed = grower.rest();
             branch.report = grower.report();
@@ -84,9 +85,11 @@ class Crown {
                                  [&](int i) { return branches_[std::size_t(i)].seed->lists.top().size(); });
         parallel_ranges(parts_.size(), 1, task_.threads, [&](std::size_t i, std::size_t) {
             Branch& branch = branches_[std::size_t(parts_[i])];
-            Grower grower(task_, progress_, budget_, *std::exchange(branch.seed, std::nullopt));
+            Grower grower(task_, shared_, *std::exchange(branch.seed, std::nullopt));
             branch.part = grower.grow();
+            const BuildPhases before = branch.report.phases;  // of looking for a plane in vain
             branch.report = grower.report();
+            branch.report.phases.add(before);
         });
     }
 
@@ -94,7 +97,6 @@ class Crown {
         BuildReport& all = task_.report;
         all.hand_splits = all.idle_hand_splits = int(task_.config.by_hand.size());
         for (const Branch& branch : branches_) {
-            all.phases.add(branch.report.phases);
             all.depth_limit_hit |= branch.report.depth_limit_hit;
             all.reference_cap_hit |= branch.report.reference_cap_hit;
             all.idle_hand_splits -= branch.report.hand_splits;
@@ -166,8 +168,7 @@ class Crown {
 
     const BuildTask& task_;
     Aabb bounds_;
-    SharedProgress progress_;
-    ReferenceBudget budget_;
+    GrowersShare shared_;
     std::vector<Branch> branches_;
     std::vector<int> round_, parts_;  // branches still to be split, and those to be grown
 };

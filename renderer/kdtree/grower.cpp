@@ -7,14 +7,27 @@
 
 namespace kd {
 
-Grower::Grower(const BuildTask& task, SharedProgress& progress, ReferenceBudget& budget, Seed seed)
-    : task_(task), progress_(progress), budget_(budget), lists_(std::move(seed.lists)),
-      splitter_(std::move(seed.splitter)), chooser_(task.config, *splitter_),
-      depth_limit_(depth_limit(task.config, task.triangles.size())), clock_(report_.phases) {
+Grower::Grower(const BuildTask& task, GrowersShare& shared, Seed seed)
+    : task_(task), shared_(shared), lists_(std::move(seed.lists)), splitter_(std::move(seed.splitter)),
+      chooser_(task.config, *splitter_), depth_limit_(depth_limit(task.config, task.triangles.size())),
+      clock_(report_.phases) {
+    SharedRooms::Room room = shared_.rooms.take();
+    lists_.swap_room(room);
     tree_.nodes.clear();
     pending_.push_back(seed.at);
     pending_.back().parent = -1;
     pending_.back().is_above = false;  // whoever joins the parts links to it
+}
+
+void Grower::give_room_back() {
+    SharedRooms::Room room;
+    lists_.swap_room(room);
+    if (!room.empty()) shared_.rooms.give_back(std::move(room));
+}
+
+Seed Grower::rest() {
+    give_room_back();
+    return {pending_.back(), std::move(lists_), std::move(splitter_)};
 }
 
 KdTree Grower::grow() {
@@ -32,8 +45,8 @@ KdTree Grower::grow() {
         // Last in, first out: the child below becomes the next node.
         pending_.push_back(take_below(pending_.back(), *split, node));
     }
-    progress_.advance(untold_);
-    budget_.spend(unspent_);
+    shared_.progress.advance(untold_);
+    shared_.budget.spend(unspent_);
     clock_.finish();
     return std::move(tree_);
 }
@@ -69,7 +82,7 @@ std::optional<Split> Grower::choose(const Pending& at) {
 
 /// Where the top cell is split, or nothing where a limit says leaf.
 std::optional<Split> Grower::allowed(const Pending& at) {
-    if (lists_.top().empty() || task_.stop.stop_requested() || budget_.is_overspent()) return std::nullopt;
+    if (lists_.top().empty() || task_.stop.stop_requested() || shared_.budget.is_overspent()) return std::nullopt;
     // A cell without a surface is met with probability 0, and has no axis to split.
     if (!(at.cell.surface_area() > 0.0)) return std::nullopt;
     const bool placed = chooser_.is_placed(at.path);
@@ -126,12 +139,12 @@ void Grower::make_leaf() {
     leaf.count = std::int32_t(tree_.references.size()) - leaf.link;
     // By and by: threads that write the same memory at every leaf wait for each other.
     unspent_ += leaf.count;
-    if (unspent_ >= 4096) budget_.spend(std::exchange(unspent_, 0));
+    if (unspent_ >= 4096) shared_.budget.spend(std::exchange(unspent_, 0));
     lists_.drop();
     splitter_->dropped();
     clock_.end(&BuildPhases::leaves);
     untold_ += at.work;
-    if (untold_ >= 0.25 * SharedProgress::least_step) progress_.advance(std::exchange(untold_, 0.0));
+    if (untold_ >= 0.25 * SharedProgress::least_step) shared_.progress.advance(std::exchange(untold_, 0.0));
     // What this leaf leaves over, the next cell may use.
     const std::int64_t left_over = at.allowance - leaf.count;
     pending_.pop_back();

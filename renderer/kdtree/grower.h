@@ -5,10 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/kdtree/growers_share.h"
 #include "renderer/kdtree/phases.h"
 #include "renderer/kdtree/plane_chooser.h"
-#include "renderer/kdtree/reference_budget.h"
-#include "renderer/kdtree/shared_progress.h"
 #include "renderer/kdtree/splitter.h"
 
 namespace kd {
@@ -34,7 +33,10 @@ struct Seed {
 /// Depth first by a work list, never by recursion; used once.
 class Grower {
   public:
-    Grower(const BuildTask& task, SharedProgress& progress, ReferenceBudget& budget, Seed seed);
+    Grower(const BuildTask& task, GrowersShare& shared, Seed seed);
+    ~Grower() { give_room_back(); }
+    Grower(const Grower&) = delete;
+    Grower& operator=(const Grower&) = delete;
 
     /// The whole subtree, its links counted from its first node and reference.
     [[nodiscard]] KdTree grow();
@@ -46,12 +48,13 @@ class Grower {
     };
     /// Nothing where grow() makes a leaf: then the seed is rest().
     [[nodiscard]] std::optional<Halves> halve();
-    [[nodiscard]] Seed rest() { return {pending_.back(), std::move(lists_), std::move(splitter_)}; }
+    [[nodiscard]] Seed rest();
 
     /// Of what was done so far; its hand_splits are those that stand in the tree.
     [[nodiscard]] const BuildReport& report() const { return report_; }
 
   private:
+    void give_room_back();
     void begin_cell() { clock_.begin_cell(lists_.top().size()); }
     [[nodiscard]] Seed top_alone(const Pending& at) const { return {at, lists_.top_alone(), splitter_->top_alone()}; }
     int add_node(const Pending& at);
@@ -62,8 +65,7 @@ class Grower {
     void make_leaf();
 
     const BuildTask& task_;
-    SharedProgress& progress_;
-    ReferenceBudget& budget_;
+    GrowersShare& shared_;
     CellLists lists_;
     std::unique_ptr<Splitter> splitter_;
     PlaneChooser chooser_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/kdtree/tree.h"
+#include "renderer/kdtree/cell.h"
 
 namespace kd {
 
@@ -47,13 +47,9 @@ std::optional<std::string> why_idle(const KdTree& tree, const HandSplit& split) 
     if (!end) return "the tree ends above its node";
     const TreeNode& own = tree.nodes[std::size_t(*end)];
     if (!own.is_leaf() && own.flag == axis && own.split == position) return std::nullopt;
-    Aabb cell = tree.bounds;
-    for (std::size_t depth = 0; depth < path.size(); ++depth) {
-        const TreeNode& n = tree.nodes[std::size_t(*node_at(tree, std::string_view(path).substr(0, depth)))];
-        (path[depth] == path_below ? cell.upper : cell.lower)[n.flag] = n.split;
-    }
+    const Aabb cell = cell_of(tree, *end).box;
     if (!(position > cell.lower[axis] && position < cell.upper[axis])) return "it is not inside its cell";
-    return "its cell is empty, or as deep as leaves may lie";
+    return "its cell is empty, or a limit of depth or references refuses it";
 }
 
 }  // namespace kd

@@ -17,7 +17,7 @@ using test::run_kdscope;
 using test::TestFolder;
 
 const std::string square = std::string(KD_SOURCE_DIR) + "/tests/fixtures/app/large_square.gltf";
-constexpr const char* idle_note = "1 of 2 planes by hand not used: no such node, or the plane is not inside its cell";
+constexpr const char* idle_note = "1 of 2 planes by hand not used: no such node, a plane outside of its cell, or a limit";
 
 /// `stats --json` of a small picture.
 json stats(std::vector<std::string> more) {

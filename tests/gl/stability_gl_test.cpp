@@ -95,15 +95,15 @@ TEST(Stability, EveryWalkIsHeldToTheCpuOnOpenGl) {
     }
     const StabilityReport report = run_stability(config);
     EXPECT_TRUE(report.passed());
-    std::map<std::string, std::int64_t> rays;  // by tracer
-    std::map<std::string, std::set<std::string>> walks;
-    for (const StabilityRow& row : report.rows) {
-        walks[row.tracer].insert(row.traversal);
-        rays[row.tracer] += row.n;
-    }
-    EXPECT_EQ(walks["cpu"].size(), traversals().size() - 1) << "all but naive";
-    EXPECT_EQ(walks["gl-fragment"], walks["cpu"]);
-    EXPECT_EQ(rays["gl-fragment"], rays["cpu"]);
+    const auto part = std::int64_t(100'000 + builders().size() - 1) / std::int64_t(builders().size());
+    const std::int64_t of_all = part * std::int64_t(builders().size());
+    const std::map<std::string, std::int64_t> rays{
+        {"stack", 2 * of_all},     {"restart", 2 * of_all},         {"backtrack", of_all},  // nodes of 16 bytes alone
+        {"push-down", 2 * of_all}, {"short-stack", 4 * 2 * of_all}, {"ropes", 2 * 2 * of_all}};
+    std::map<std::string, std::map<std::string, std::int64_t>> walked;  // by tracer
+    for (const StabilityRow& row : report.rows) walked[row.tracer][row.traversal] = row.n;
+    EXPECT_EQ(walked["cpu"], rays);
+    EXPECT_EQ(walked["gl-fragment"], rays);
 }
 
 TEST(Stability, TreesAreOfTheBuilderAskedForWhereACaseNamesNone) {

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
 #include "renderer/kdtree/build.h"
+#include "renderer/kdtree/cell.h"
 #include "renderer/kdtree/grow.h"
 #include "renderer/kdtree/phases.h"
+#include "renderer/kdtree/stats.h"
 #include "tests/core/tree_checks.h"
 #include "tests/support/scenes.h"
 
@@ -75,13 +78,32 @@ TEST(BuildThreads, RefuseNothingToATreeThatKeepsTheCapAsAWhole) {
     }
 }
 
+TEST(BuildThreads, ATreeThatWasNotKeptTellsNothing) {
+    BuildConfig config{.builder = "spatial-median", .bad_refines = 20, .reference_cap = 1.5f};
+    const std::vector<int> depths = node_depths(build(config, 1).tree);
+    config.max_depth = *std::ranges::max_element(depths) + 1;  // that the tree without a cap goes beyond
+    const Built kept = build(config, 1);
+    ASSERT_TRUE(kept.report.reference_cap_hit);
+    EXPECT_FALSE(kept.report.depth_limit_hit);
+}
+
 TEST(BuildThreads, PutPlanesByHandInPartsAndAboveThem) {
-    const BuildConfig config{.by_hand = {{"", 0, 0.1f}, {"ab", 1, 0.2f}, {"bbbbbb", 2, 0.3f}, {"a", 0, 9.0f}}};
+    // Above the parts two cells of at least 4096 triangles each; the third within a part.
+    const std::string deep(7, path_below);
+    BuildConfig config{.by_hand = {{"", 0, 0.1f}, {"ab", 1, 0.2f}}};
+    const KdTree above = build(config, 1).tree;
+    const Aabb cell = cell_of(above, *node_at(above, deep)).box;
+    config.by_hand.push_back({deep, 2, 0.7f * cell.lower.z + 0.3f * cell.upper.z});
+    config.by_hand.push_back({"a", 0, 9.0f});
     expect_same(config);
     const Built built = build(config, 2);
     EXPECT_EQ(built.report.hand_splits, 4);
-    EXPECT_GE(built.report.idle_hand_splits, 1) << "one lies outside";
-    EXPECT_EQ(built.tree.nodes[0].split, 0.1f);
+    EXPECT_EQ(built.report.idle_hand_splits, 1) << "one lies outside";
+    for (std::size_t i = 0; i < 3; ++i) {
+        const TreeNode& node = built.tree.nodes[std::size_t(*node_at(built.tree, config.by_hand[i].path))];
+        EXPECT_EQ(node.flag, config.by_hand[i].axis) << config.by_hand[i].path;
+        EXPECT_EQ(node.split, config.by_hand[i].position) << config.by_hand[i].path;
+    }
 }
 
 TEST(BuildThreads, TellProgressOneAtATime) {
@@ -94,8 +116,12 @@ TEST(BuildThreads, TellProgressOneAtATime) {
         last = done;
         inside.fetch_sub(1);
     };
-    (void)build_tree(many_triangles(), {.builder = "exact"}, nullptr, progress, {}, 4);
-    EXPECT_EQ(last, 1.0f);
+    for (const float cap : {64.0f, 1.5f}) {  // the second grows twice
+        last = 0.0f;
+        (void)build_tree(many_triangles(), {.builder = "exact", .bad_refines = 2, .reference_cap = cap}, nullptr,
+                         progress, {}, 4);
+        EXPECT_EQ(last, 1.0f);
+    }
 }
 
 TEST(BuildThreads, StopHalfWayWithASoundTree) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <tuple>
 
 #include "renderer/measure/path_rays.h"
 #include "renderer/measure/stability/case_rays.h"
@@ -27,7 +28,20 @@ struct Answers {
     std::vector<RayCounters> counters;
 };
 
-/// Walks over both kinds of nodes, and holds all answers of a traversal in one tree against the first ones.
+/// A traversal with each choice that is about it alone.
+std::vector<TraceConfig> with_choices(const TraceConfig& trace) {
+    std::vector<TraceConfig> all;
+    if (trace.traversal == Traversal::short_stack) {
+        for (const int entries : {1, 2, 4, 8}) all.emplace_back(trace).short_stack = entries;
+    } else if (trace.traversal == Traversal::ropes) {
+        for (const bool optimised : {false, true}) all.emplace_back(trace).optimised_ropes = optimised;
+    } else {
+        all.push_back(trace);
+    }
+    return all;
+}
+
+/// Holds all answers of a walk in one tree against its first ones.
 class SameAnswers {
   public:
     SameAnswers(CaseRun& run, const FlatScene& scene, const std::vector<Ray>& rays)
@@ -39,7 +53,8 @@ class SameAnswers {
         run_.check_stop();
         row.n += std::int64_t(rays_.size());
         CaseRun::tell_error_of_t(scene_, rays_, found.hits, row);
-        const auto [known, is_first] = first_.try_emplace(trace.traversal, found);
+        const auto [known, is_first] =
+            first_.try_emplace({trace.traversal, trace.short_stack, trace.optimised_ropes}, found);
         if (is_first) return;
         const Answers& first = known->second;
         for (std::size_t i = 0; i < rays_.size(); ++i)
@@ -53,7 +68,7 @@ class SameAnswers {
     CaseRun& run_;
     const FlatScene& scene_;
     const std::vector<Ray>& rays_;
-    std::map<Traversal, Answers> first_;
+    std::map<std::tuple<Traversal, int, bool>, Answers> first_;
 };
 
 void run_machines(CaseRun& run) {
@@ -63,7 +78,9 @@ void run_machines(CaseRun& run) {
             mixed_rays(run.random(), ball.scene.triangles, run.rays(1'000'000, builders().size()));
         SameAnswers same(run, ball.scene, rays);
         const auto walk = [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& row) {
-            for (const TraceConfig& with : CaseRun::with_both_nodes(trace)) same.walk(machine, with, builder.name, row);
+            for (const TraceConfig& choice : with_choices(trace))
+                for (const TraceConfig& with : CaseRun::with_both_nodes(choice))
+                    same.walk(machine, with, builder.name, row);
         };
         run.each(ball, walk, CaseRun::Refusal::is_an_error, CaseRun::Walks::all);
     }
