@@ -26,7 +26,7 @@ namespace {
 struct Entry {
     std::string builder;
     TreeStats stats;
-    BuildReport build;                             // of a round of the middle
+    BuildReport build;                             // its phases are medians of all rounds
     TimeSummary build_time;                        // of all rounds
     std::array<CounterTotals, pass_count> visits;  // of the rays that the session's picture takes, by the CPU
     std::optional<GlMemory> gl;

@@ -36,7 +36,7 @@ void draw_constants(BuildConfig& b) {
     const Builder* builder = find_builder(b.builder);
     if (builder && builder->has_bins)
         widgets::slider("bins", b.bins, fewest_bins, most_bins, "%d",
-                        "Planes are tried between so many bins on each axis; nodes with no more triangles than bins "
+                        "Planes are tried between so many bins on each axis; nodes of up to four triangles per bin "
                         "are swept exactly. Few: planes miss the edges of things, whose outlines glow. Option --bins.");
 }
 

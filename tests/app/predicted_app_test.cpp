@@ -90,9 +90,11 @@ TEST(PredictedCommand, UniformLinesAgreeAndRealRaysSeeLess) {
     const Json& rows = json[0]["visits"];
     ASSERT_GE(rows.size(), 3u) << "lines, primary rays, shadow rays";
     EXPECT_EQ(rows[0]["rays"], "uniform_lines");
+    // The seed is fixed: 0.9987, 0.9992 and 1.0005 are measured, and rho 0.9994; the mean of 200 000 lines errs by some
+    // 0.3 %.
     for (const char* part : {"interior", "leaves", "tests"})
-        EXPECT_NEAR(double(rows[0]["counted_per_ray"][part]) / double(rows[0]["predicted_per_ray"][part]), 1, 0.05);
-    EXPECT_GT(double(rows[0]["rho"]), 0.95);
+        EXPECT_NEAR(double(rows[0]["counted_per_ray"][part]) / double(rows[0]["predicted_per_ray"][part]), 1, 0.01);
+    EXPECT_GT(double(rows[0]["rho"]), 0.998);
     EXPECT_EQ(rows[1]["rays"], "primary");
     EXPECT_LT(double(rows[1]["counted_per_ray"]["leaves"]), double(rows[1]["predicted_per_ray"]["leaves"]));
 }

@@ -19,13 +19,14 @@ Frame traced(const FlatScene& scene, const KdTree& tree, const TraceConfig& conf
     return frame;
 }
 
-/// Pixels whose hit by the rays of `pass` is another; of equally near triangles any may be named.
+/// Pixels whose hit by the rays of `pass` differs in any bit; of shadow rays, whether there is one.
 int unlike(const Frame& expected, const Frame& found, Pass pass) {
     int count = 0;
     for (std::size_t i = 0; i < expected.colour.pixels.size(); ++i) {
         const Hit& a = expected.layer(pass).hit.pixels[i];
         const Hit& b = found.layer(pass).hit.pixels[i];
-        count += (a.triangle < 0) != (b.triangle < 0) || (a.triangle >= 0 && a.t != b.t);
+        const bool nearest = pass == Pass::rt_prim || pass == Pass::rt_refl;
+        count += nearest ? !bit_equal(a, b) : (a.triangle < 0) != (b.triangle < 0);
     }
     return count;
 }
@@ -43,7 +44,7 @@ void hold_to_brute_force(const FlatScene& scene) {
             for (WalkVariant& variant : walk_variants(base)) {
                 variant.config.nodes = nodes;
                 const Frame found = traced(scene, tree, variant.config);
-                for (const Pass pass : {Pass::rt_prim, Pass::rt_refl})
+                for (const Pass pass : {Pass::rt_prim, Pass::shade_prim, Pass::rt_refl, Pass::shade_refl})
                     EXPECT_EQ(unlike(expected, found, pass), 0) << scene.name << ", " << builder.name << ", "
                                                                 << variant.name << ", " << ray_names[std::size_t(pass)];
             }

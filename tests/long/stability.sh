@@ -19,4 +19,11 @@ for id in $(cases_with_mismatches long.json) $(cases_with_verdict exempt long.js
 done
 # Over nodes of 8 bytes a tenth of the rays.
 "$KDSCOPE" stability --nodes 8 --json >packed.json || fail "a case fails over nodes of 8 bytes: $(cases_with_verdict fail packed.json)"
+# So they are in every builder's trees, on the CPU.
+builders=$("$KDSCOPE" info | sed -n 's/^builders *//p')
+for builder in ${builders//,/}; do
+    "$KDSCOPE" stability --builder "$builder" --tracer cpu --json >built.json ||
+        fail "a case fails in trees of $builder: $(cases_with_verdict fail built.json)"
+done
+[[ $builder == object-median ]] || fail "the builders are $builders"
 echo "passed"
