@@ -27,6 +27,10 @@ struct Table {
 
     [[nodiscard]] const CounterTotals& totals(const WalkRow& row) const { return row.totals[std::size_t(rays)]; }
     [[nodiscard]] double of_stack(const WalkRow& row) const { return row.of(rows.front(), rays); }
+    /// All of it is about primary rays.
+    [[nodiscard]] std::string published(const WalkRow& row) const {
+        return rays == Pass::rt_prim ? row.variant.published : std::string();
+    }
 };
 
 void print(std::ostream& out, const Table& table, const FlatScene& scene, const Session& session) {
@@ -50,7 +54,7 @@ void print(std::ostream& out, const Table& table, const FlatScene& scene, const 
         const auto number = [&](std::uint64_t sum) { return fmt::format("{:.2f}", double(sum) / double(t.rays)); };
         text.add_row({row.variant.name, number(row.interior(table.rays)), number(t.interior_again), number(t.leaves),
                       number(t.triangle_tests), number(t.restarts + t.backtracks),
-                      fmt::format("{:.2f}", table.of_stack(row)), row.variant.published});
+                      fmt::format("{:.2f}", table.of_stack(row)), table.published(row)});
     }
     text.print(out, terminal_width());
 }
@@ -65,7 +69,7 @@ Json json_of(const Table& table) {
                         {"eye_leaf", row.variant.config.eye_leaf},
                         {"entry_tile", row.variant.config.entry_tile},
                         {"of_stack", table.of_stack(row)},
-                        {"published", row.variant.published},
+                        {"published", table.published(row)},
                         {"counters", kd::json_of(table.totals(row))}});
     return {{"scene", table.scene}, {"rays", json_key(ray_names[std::size_t(table.rays)])}, {"walks", rows}};
 }

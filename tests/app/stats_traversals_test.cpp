@@ -14,9 +14,8 @@ using test::Outcome;
 using test::run_kdscope;
 using test::TestFolder;
 
-Json table_of(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"stats",   "rooms",  "--traversals", "--rays",
-                                       "primary", "--size", "32x32",        "--json"};
+Json table_of(const std::vector<std::string>& more, const std::string& rays = "primary") {
+    std::vector<std::string> arguments{"stats", "rooms", "--traversals", "--rays", rays, "--size", "32x32", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_kdscope(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -27,6 +26,11 @@ const Json& row(const Json& table, const std::string& name) {
     for (const Json& walk : table["walks"])
         if (walk["name"] == name) return walk;
     throw std::out_of_range(name);
+}
+
+TEST(StatsTraversals, WhatWasPublishedStandsBesidePrimaryRaysAlone) {
+    EXPECT_NE(row(table_of({})[0], "kd-restart")["published"], "");
+    for (const Json& walk : table_of({}, "shadow")[0]["walks"]) EXPECT_EQ(walk["published"], "") << walk["name"];
 }
 
 TEST(StatsTraversals, CountsEveryWalkOverTheStacks) {
