@@ -98,7 +98,8 @@ constexpr auto table = std::to_array<MapInfo>({
      .title = "32-byte sectors read at a time",
      .unit = "sectors",
      .kind = length,
-     .summary = "Different 32-byte pieces of memory (two nodes each) that a group reads in one step, on average.",
+     .summary = "Different 32-byte pieces of memory (two nodes of 16 bytes, or four of 8) that a group reads in one "
+                "step, on average.",
      .of_walks = sectors,
      .describe_walks = describe_reads,
      .grouped = true},
@@ -106,7 +107,8 @@ constexpr auto table = std::to_array<MapInfo>({
      .title = "128-byte lines read at a time",
      .unit = "lines",
      .kind = length,
-     .summary = "Different 128-byte cache lines (eight nodes each) that a group reads in one step, on average.",
+     .summary = "Different 128-byte cache lines (eight nodes of 16 bytes, or sixteen of 8) that a group reads in one "
+                "step, on average.",
      .of_walks = lines,
      .describe_walks = describe_reads,
      .grouped = true},

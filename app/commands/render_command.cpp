@@ -121,7 +121,9 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
         refuse_idle(app, {{option, map != nullptr, no_map}});
     const bool cells = view.overlay.show && view.overlay.colour != CellColour::depth;
     const std::string no_colours = "no map is drawn; add --map NAME, or --overlay-colour";
-    refuse_idle(app, {{"--rays", map || needs_visits(view), no_colours}, {"--colormap", map || cells, no_colours}});
+    const std::string no_visits =
+        cells ? "--overlay-colour predicted counts no rays; take visits or ratio" : no_colours;
+    refuse_idle(app, {{"--rays", map || needs_visits(view), no_visits}, {"--colormap", map || cells, no_colours}});
     const std::string no_splits = "no splits are drawn; add --overlay";
     refuse_idle(app, {{"--overlay-depth", view.overlay.show, no_splits},
                       {"--overlay-colour", view.overlay.show, no_splits},

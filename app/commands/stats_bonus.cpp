@@ -14,6 +14,7 @@
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/ray_count.h"
 #include "renderer/measure/timing.h"
+#include "renderer/measure/timing_ratio.h"
 
 namespace kd {
 
@@ -87,9 +88,14 @@ PerRay per_ray(const CounterTotals& t) {
             double(t.triangle_tests) / rays};
 }
 
+MedianInterval of_none(const Row& row, const std::vector<Row>& rows) {
+    return ratio_interval(row.timed.ms(), rows.front().timed.ms());
+}
+
 void print(std::ostream& out, const std::vector<Row>& rows, const Session& s, const FlatScene& scene) {
     out << fmt::format("{}: {}\n{} tree, {}x{}, all rays of the picture by {} on the CPU\n", s.scene,
                        contents_text(scene), s.build.builder, s.width, s.height, info(s.trace.traversal).name);
+    using enum TextTable::Align;
     TextTable table({{"bonus"},
                      {"gate"},
                      {"nodes"},
@@ -98,9 +104,7 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Session& s, co
                      {"leaves"},
                      {"tests"},
                      {"ms"},
-                     {"middle half"},
-                     {"time of none"}});
-    const double none = rows.front().timed.total().median_ms;
+                     {"time of none", left}});
     for (const Row& row : rows) {
         const PerRay ray = per_ray(row.visits);
         const TimeSummary time = row.timed.total();
@@ -109,16 +113,16 @@ void print(std::ostream& out, const std::vector<Row>& rows, const Session& s, co
                        fmt::format("{}", row.stats.nodes), fmt::format("{:.2f}", row.stats.sah_cost),
                        fmt::format("{:.2f}", ray.interior), fmt::format("{:.2f}", ray.leaves),
                        fmt::format("{:.2f}", ray.tests), fmt::format("{:.2f}", time.median_ms),
-                       fmt::format("{:.2f}-{:.2f}", time.p25_ms, time.p75_ms),
-                       fmt::format("{:.3f}", time.median_ms / none)});
+                       &row == &rows.front() ? "1" : ratio_text(of_none(row, rows))});
     }
     table.print(out, terminal_width());
-    out << fmt::format("interior, leaves, tests: visits and triangle tests per ray. ms: median of {} rounds in turn, "
-                       "after a\nwarm-up; time of none: over that without a bonus.\n",
-                       rows.front().timed.rounds.size());
+    out << fmt::format(
+        "interior, leaves, tests: visits and triangle tests per ray. ms: median of {} rounds in turn, "
+        "after a\nwarm-up; time of none: over that without a bonus, round by round, with its 95 % interval.\n",
+        rows.front().timed.rounds.size());
 }
 
-Json json_of(const Row& row, double none) {
+Json json_of(const Row& row, const std::vector<Row>& rows) {
     const PerRay ray = per_ray(row.visits);
     const TimeSummary time = row.timed.total();
     return {{"empty_bonus", json_number(row.build.empty_bonus)},
@@ -128,7 +132,7 @@ Json json_of(const Row& row, double none) {
             {"leaves_per_ray", ray.leaves},
             {"tests_per_ray", ray.tests},
             {"time", kd::json_of(time)},
-            {"time_of_none", time.median_ms / none}};
+            {"time_of_none", kd::json_of(of_none(row, rows))}};
 }
 
 }  // namespace
@@ -148,7 +152,7 @@ int run_bonuses(const CommonOptions& options, bool as_json, CommandContext& cont
             continue;
         }
         Json trees = Json::array();
-        for (const Row& row : rows) trees.push_back(json_of(row, rows.front().timed.total().median_ms));
+        for (const Row& row : rows) trees.push_back(json_of(row, rows));
         json.push_back(
             scene_report(session, scene, "bonuses", std::move(trees), measured_on(session.threads, session.seed)));
     }

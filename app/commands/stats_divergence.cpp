@@ -182,13 +182,20 @@ void add_divergence_options(CLI::App& app, DivergenceOptions& o) {
         ->group("Divergence");
 }
 
+KdTree told_tree(const FlatScene& scene, const Session& s, CommandContext& context) {
+    BuildReport report;
+    KdTree tree = build_tree(scene.triangles, s.build, &report, {}, context.stop, s.threads);
+    check_stop(context);
+    for (const std::string& note : build_notes(report)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
+    return tree;
+}
+
 WalkedScene open_walked(const CommonOptions& common, const std::string& name, CommandContext& context) {
     WalkedScene opened{.session = common.session_for(name), .scene = {}, .tree = {}, .camera = {}};
     const Session& s = opened.session;
     check_frame_memory(s.width, s.height);
     opened.scene = open_scene(common, opened.session);
-    opened.tree = build_tree(opened.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
-    check_stop(context);
+    opened.tree = told_tree(opened.scene, s, context);
     opened.camera = pinhole(opened.scene.camera, s.width, s.height);
     note_idle_eye(s, opened.tree, opened.scene.camera.eye, context);
     return opened;

@@ -28,6 +28,8 @@ struct WalkedScene {
     /// What to walk for one table. The scene must outlive it.
     [[nodiscard]] WalkRequest request(Traversal traversal, Pass rays) const;
 };
+/// The tree that the session asks for; what is to be told of it goes to the error stream. Interrupted.
+[[nodiscard]] KdTree told_tree(const FlatScene& scene, const Session& session, CommandContext& context);
 /// InputError, Interrupted.
 [[nodiscard]] WalkedScene open_walked(const CommonOptions& common, const std::string& name, CommandContext& context);
 

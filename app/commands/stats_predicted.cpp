@@ -152,12 +152,11 @@ struct Files {
     }
 };
 
-void build_with(WalkedScene& walked, const std::string& builder, const CommandContext& context) {
+void build_with(WalkedScene& walked, const std::string& builder, CommandContext& context) {
     Session& s = walked.session;
     if (s.build.builder == builder) return;
     s.build.builder = builder;
-    walked.tree = build_tree(walked.scene.triangles, s.build, nullptr, {}, context.stop, s.threads);
-    check_stop(context);
+    walked.tree = told_tree(walked.scene, s, context);
 }
 
 /// Lines first, then every kind of the picture's rays, of one builder after the other.

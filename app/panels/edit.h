@@ -216,7 +216,8 @@ void slice_at_node(const EngineState& state, Edit& edit);
 /// Puts the slice through the hit of the pinned pixel.
 void slice_at_hit(const EngineState& state, Edit& edit);
 
-/// The plane by hand of the node selected, or else the one that the tree in use has there; nothing at a leaf without.
+/// The plane by hand of the node selected, or where there is none that can be used the one that the tree in use has
+/// there; nothing at a leaf.
 [[nodiscard]] std::optional<HandSplit> shown_plane(const EngineState& state, const Edit& edit);
 /// Whether the node selected has a plane by hand.
 [[nodiscard]] bool has_plane(const Edit& edit);

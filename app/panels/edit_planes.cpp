@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/panels/edit.h"
+#include "renderer/kdtree/hand_split.h"
 
 namespace kd::edits {
 
@@ -20,13 +21,20 @@ void remember(Edit& edit) {
     before.push_back(edit.session.build.by_hand);
 }
 
+/// Whether the tree in use was built with that plane and has no use for it.
+bool is_known_idle(const EngineState& state, const HandSplit& plane) {
+    if (!state.world) return false;
+    const std::vector<HandSplit>& built = state.world->built_with.by_hand;
+    return std::ranges::find(built, plane) != built.end() && why_idle(state.world->tree, plane).has_value();
+}
+
 }  // namespace
 
 std::optional<HandSplit> shown_plane(const EngineState& state, const Edit& edit) {
     const std::optional<std::string>& path = edit.window.node;
     if (!path) return std::nullopt;
     for (const HandSplit& plane : edit.session.build.by_hand)
-        if (plane.path == *path) return plane;
+        if (plane.path == *path && !is_known_idle(state, plane)) return plane;
     const std::optional<int> node = selected_node(state, edit);
     if (!node) return std::nullopt;
     const TreeNode& n = state.world->tree.nodes[std::size_t(*node)];

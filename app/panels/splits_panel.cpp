@@ -62,8 +62,10 @@ void draw_facts(const EngineState& state, const Edit& edit) {
         "share of the surface", percent_text(node.share, 1),
         "Of its cell in that of the root: the chance that a random line which meets the root's cell meets this "
         "one, on which the surface area heuristic is built.");
-    const bool by_hand = edits::has_plane(edit);
-    widgets::value(by_hand ? "plane by hand" : "plane", plane_text(state, edits::shown_plane(state, edit)),
+    const std::optional<HandSplit> plane = edits::shown_plane(state, edit);
+    const std::vector<HandSplit>& hands = edit.session.build.by_hand;
+    const bool by_hand = plane && std::ranges::find(hands, *plane) != hands.end();
+    widgets::value(by_hand ? "plane by hand" : "plane", plane_text(state, plane),
                    "Axis and place of its split plane, in scene units.", by_hand ? theme::selected : 0);
     widgets::value("cost with its plane", chosen_text(state, costs),
                    "By the surface area heuristic, in traversal steps: where the plane stands on the curve.");

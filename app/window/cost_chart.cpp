@@ -106,18 +106,40 @@ void draw_tags(ImDrawList& list, const Plot& plot, const std::vector<Tag>& tags,
     }
 }
 
-void draw_curve(ImDrawList& list, const Plot& plot) {
-    const ThinCurve& curve = plot.chart.cell.curves[std::size_t(plot.chart.axis)];
-    std::vector<ImVec2> line;
-    for (const ThinCurve::Point& point : curve.points) {
-        const float x = plot.x(point.position);
-        line.push_back({x, plot.y(point.least)});
-        if (point.most > point.least)
-            list.AddLine(line.back(), {x, plot.y(point.most)}, theme::faded(theme::text, 0.3f));
+/// Few candidates: each, and the straight lines between them.
+void draw_steps(ImDrawList& list, const Plot& plot, const std::vector<SplitCandidate>& curve) {
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const SplitCandidate& c = curve[i];
+        const float x = plot.x(c.position);
+        list.AddLine({x, plot.y(std::max({c.cost_before, c.cost, c.cost_after}))},
+                     {x, plot.y(std::min({c.cost_before, c.cost, c.cost_after}))}, theme::faded(theme::text, 0.3f));
+        if (i + 1 < curve.size())
+            list.AddLine({x, plot.y(c.cost_after)}, {plot.x(curve[i + 1].position), plot.y(curve[i + 1].cost_before)},
+                         theme::text, theme::px(1.5f));
+        list.AddCircleFilled({x, plot.y(c.cost)}, theme::px(2), theme::text);
     }
-    list.AddPolyline(line.data(), int(line.size()), theme::text, ImDrawFlags_None, theme::px(1.5f));
-    if (line.size() > 64) return;
-    for (const ImVec2& p : line) list.AddCircleFilled(p, theme::px(2), theme::text);
+}
+
+/// Many: the cheapest of each column, and how far up the others reach. Line by line, because the joints of one path
+/// would stick out where it turns back.
+void draw_columns(ImDrawList& list, const Plot& plot, const ThinCurve& curve) {
+    std::optional<ImVec2> last;
+    for (const ThinCurve::Point& point : curve.points) {
+        const ImVec2 at{plot.x(point.position), plot.y(point.least)};
+        if (point.most > point.least) list.AddLine(at, {at.x, plot.y(point.most)}, theme::faded(theme::text, 0.3f));
+        if (last) list.AddLine(*last, at, theme::text, theme::px(1.5f));
+        last = at;
+    }
+}
+
+void draw_curve(ImDrawList& list, const Plot& plot) {
+    const std::size_t axis = std::size_t(plot.chart.axis);
+    const std::vector<SplitCandidate>& curve = plot.chart.cell.costs->curves[axis];
+    constexpr std::size_t few = 64;
+    if (curve.size() <= few)
+        draw_steps(list, plot, curve);
+    else
+        draw_columns(list, plot, plot.chart.cell.curves[axis]);
 }
 
 /// Costs at the left, positions at both ends below the builders' numbers.
@@ -182,7 +204,7 @@ std::string aim_text(const Plot& plot, const Aim& aim) {
     const std::string place = fmt::format("{} at {}", axis_names[plot.chart.axis],
                                           number_text(double(aim.position) * double(plot.chart.unit)));
     if (!aim.candidate)
-        return place +
+        return fmt::format("{}: cost {}", place, number_text(cost_at(plot.chart, aim.position))) +
                ".\n\nDrag or click: the plane goes exactly there. Without Shift it goes to the nearest end of a "
                "triangle.";
     const SplitCandidate& c = *aim.candidate;
@@ -292,11 +314,15 @@ double cost_at(const CostChart& chart, float position) {
     const std::vector<SplitCandidate>& curve = costs.curves[std::size_t(chart.axis)];
     const SplitCandidate* nearest = nearest_candidate(curve, position);
     if (!nearest) return costs.leaf_cost;
-    const std::ptrdiff_t neighbour = nearest - curve.data() + (position > nearest->position ? 1 : -1);
-    if (nearest->position == position || neighbour < 0 || neighbour >= std::ssize(curve)) return nearest->cost;
-    const SplitCandidate& other = curve[std::size_t(neighbour)];
-    const double share = double(position - nearest->position) / double(other.position - nearest->position);
-    return std::lerp(nearest->cost, other.cost, share);
+    if (nearest->position == position) return nearest->cost;
+    const bool is_above = position > nearest->position;
+    const std::ptrdiff_t below = nearest - curve.data() - (is_above ? 0 : 1);
+    if (below < 0) return nearest->cost_before;
+    if (below + 1 == std::ssize(curve)) return nearest->cost_after;
+    const SplitCandidate &low = curve[std::size_t(below)], &high = curve[std::size_t(below + 1)];
+    const double start = double(low.position);
+    const double share = (double(position) - start) / (double(high.position) - start);
+    return std::lerp(low.cost_after, high.cost_before, share);
 }
 
 CostAnswer draw_cost_chart(const CostChart& chart, ImVec2 size) {

@@ -87,10 +87,11 @@ const Builder* find_builder(std::string_view name) {
 std::vector<std::string> build_notes(const BuildReport& report) {
     std::vector<std::string> notes;
     if (report.reference_cap_hit) notes.emplace_back(reference_cap_note);
-    if (report.idle_hand_splits > 0)
-        notes.push_back(
-            fmt::format("{} of {} planes by hand not used: no such node, a plane outside of its cell, or a limit",
-                        report.idle_hand_splits, report.hand_splits));
+    constexpr std::size_t named = 3;
+    const std::size_t idle = report.idle_planes.size();
+    for (std::size_t i = 0; i < std::min(idle, named); ++i)
+        notes.push_back("plane by hand not used " + report.idle_planes[i]);
+    if (idle > named) notes.push_back(fmt::format("{} more planes by hand not used", idle - named));
     if (report.tests_cost_nothing)
         notes.emplace_back(
             "one leaf holds all triangles: where tests cost nothing no split pays; raise the intersection cost");
@@ -129,6 +130,10 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
     };
     std::optional<KdTree> tree = grow(Refusal::whole_tree);
     if (!tree) tree = grow(Refusal::each_cell);
+    for (const HandSplit& split : config.by_hand)
+        if (const auto why = why_idle(*tree, split))
+            told.idle_planes.push_back(
+                fmt::format("{}: {}", split.path.empty() ? "at the root" : "at '" + split.path + "'", *why));
     told.tests_cost_nothing =
         config.intersection_cost == 0 && tree->nodes.size() == 1 && int(triangles.size()) > config.leaf_size;
     told.seconds = seconds_since(begin);

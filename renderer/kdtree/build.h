@@ -82,9 +82,10 @@ struct BuildReport {
     BuildPhases phases;
     bool reference_cap_hit = false;
     bool depth_limit_hit = false;
-    bool tests_cost_nothing = false;  // so that the tree is a single leaf, though it might be split
-    int hand_splits = 0;              // of BuildConfig::by_hand
-    int idle_hand_splits = 0;         // of these, those that stand nowhere in the tree
+    bool tests_cost_nothing = false;       // so that the tree is a single leaf, though it might be split
+    int hand_splits = 0;                   // of BuildConfig::by_hand
+    int idle_hand_splits = 0;              // of these, those that stand nowhere in the tree
+    std::vector<std::string> idle_planes;  // a line for each of those: where, and why_idle()
 };
 
 /// How whoever has a tree built says that the cap was reached.

@@ -35,10 +35,18 @@ class CellParts {
         sort_events(events);
         std::vector<SplitCandidate> candidates;
         const SplitCost cost_of(config_, cell_, axis);
+        int above_before = int(boxes_.size());  // triangles that reach above all planes since the last end
         sweep_planes(extent.lower, extent.upper, int(boxes_.size()), events,
                      [&](float position, int below, int planar, int above) {
-                         candidates.push_back(candidate(cost_of, position, below, planar, above));
+                         SplitCandidate next = candidate(cost_of, position, below, planar, above);
+                         next.cost_before = cost_of(position, below, above_before);
+                         if (!candidates.empty())
+                             candidates.back().cost_after = cost_of(candidates.back().position, below, above_before);
+                         above_before = above;
+                         candidates.push_back(next);
                      });
+        if (!candidates.empty())
+            candidates.back().cost_after = cost_of(candidates.back().position, int(boxes_.size()), above_before);
         return candidates;
     }
 
@@ -59,7 +67,7 @@ class CellParts {
                                                   int above) {
         const auto [planar_below, cost] = cheaper_side(cost_of, position, below, planar, above);
         (planar_below ? below : above) += planar;
-        return {position, below, above, cost};
+        return {.position = position, .below = below, .above = above, .cost = cost};
     }
 
     const BuildConfig& config_;

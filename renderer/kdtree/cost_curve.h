@@ -19,6 +19,8 @@ struct SplitCandidate {
     float position = 0;
     int below = 0, above = 0;  // triangles on either side; those in the plane where they cost less
     double cost = 0;           // in units of one traversal step, the bonus for empty space included
+    double cost_before = 0;    // just below the plane, and
+    double cost_after = 0;     // just above it: from there to the next cost_before the curve is a straight line
 };
 
 /// Where one builder would cut the cell: its first choice, before limits of depth, references and bad refines say that

@@ -77,12 +77,12 @@ struct Savings {
 /// Some whole tiles, so that a block is worth a task of its own.
 int block_side(int tile) { return tile * std::max(1, 32 / tile); }
 
-void fill_groups(const BlockWalks& block, LockstepLayer& layer) {
+void fill_groups(const BlockWalks& block, int node_bytes, LockstepLayer& layer) {
     for_each_tile(block.area, layer.tile_width, layer.tile_height, [&](int x, int y) {
         const auto lanes = lanes_of(block, x, y, layer.tile_width, layer.tile_height);
         LockstepGroup& group = layer.group_at(x, y);
         group.tally = run_group(lanes, layer.schedule);
-        group.reads = read_nodes(lanes, layer.schedule);
+        group.reads = read_nodes(lanes, layer.schedule, node_bytes);
         count_hits(lanes, group);
     });
 }
@@ -90,7 +90,8 @@ void fill_groups(const BlockWalks& block, LockstepLayer& layer) {
 /// What measure_divergence() collects while blocks come in.
 class Collector {
   public:
-    explicit Collector(std::span<const TileShape> tiles) : tiles_(tiles), shapes_(tiles.size()) {}
+    Collector(std::span<const TileShape> tiles, int node_bytes)
+        : tiles_(tiles), node_bytes_(node_bytes), shapes_(tiles.size()) {}
 
     void add(const BlockWalks& block) {
         std::vector<Shape> shapes(tiles_.size());
@@ -143,17 +144,18 @@ class Collector {
         }
     };
 
-    static void add_group(std::span<const PixelWalks* const> lanes, Shape& shape) {
+    void add_group(std::span<const PixelWalks* const> lanes, Shape& shape) const {
         for (std::size_t s = 0; s < schedule_count; ++s)
             shape.tallies[s].push_back(run_group(lanes, static_cast<Schedule>(s)));
         LockstepGroup group;
         group.tally = shape.tallies[std::size_t(Schedule::while_while)].back();
         count_hits(lanes, group);
         shape.groups.push_back(group);
-        shape.reads += read_nodes(lanes, Schedule::while_while);
+        shape.reads += read_nodes(lanes, Schedule::while_while, node_bytes_);
     }
 
     std::span<const TileShape> tiles_;
+    int node_bytes_;
     std::mutex mutex_;
     std::vector<Shape> shapes_;
     std::int64_t pixels_ = 0;
@@ -192,12 +194,13 @@ std::optional<LockstepLayer> walk_frame(WalkRequest request, Schedule schedule, 
     request.block_height = block_side(tile_height);
     request.with_stack = request.from_root = true;
     layer.entry = entry_name(request.config, request.rays);
+    const int node_bytes = bytes_of(nodes_in_force(request.config));
     std::mutex mutex;
     Overhead all;
     Savings all_saved;
     // Blocks are made of whole groups, and so no two threads write to one place.
     const auto fill = [&](const BlockWalks& block) {
-        fill_groups(block, layer);
+        fill_groups(block, node_bytes, layer);
         Overhead own;
         Savings own_saved;
         std::size_t i = 0;
@@ -234,7 +237,7 @@ std::optional<DivergenceReport> measure_divergence(WalkRequest request, std::spa
     request.block_width = block_side(tiles.back().width);
     request.block_height = block_side(tiles.back().height);
     request.with_stack = true;
-    Collector collector(tiles);
+    Collector collector(tiles, bytes_of(nodes_in_force(request.config)));
     const auto add = [&](const BlockWalks& block) { collector.add(block); };
     if (!record_walks(request, add, std::move(stop), progress)) return std::nullopt;
     DivergenceReport report = collector.report();

@@ -147,10 +147,11 @@ void add_reads(const Walk& walk, Schedule schedule, std::uint64_t first, std::sp
     }
 }
 
-constexpr std::uint32_t nodes_per_sector = 2, nodes_per_line = 8;
+constexpr std::uint32_t sector_bytes = 32, line_bytes = 128;
 
 /// What lanes read in one iteration; reorders the nodes.
-void count_iteration(std::span<std::uint32_t> nodes, NodeReads& result) {
+void count_iteration(std::span<std::uint32_t> nodes, std::uint32_t node_bytes, NodeReads& result) {
+    const std::uint32_t nodes_per_sector = sector_bytes / node_bytes, nodes_per_line = line_bytes / node_bytes;
     if (nodes.empty()) return;
     ++result.iterations;
     result.lanes += nodes.size();
@@ -165,7 +166,7 @@ void count_iteration(std::span<std::uint32_t> nodes, NodeReads& result) {
     }
 }
 
-NodeReads count_reads(std::span<const Read> reads) {
+NodeReads count_reads(std::span<const Read> reads, std::uint32_t node_bytes) {
     NodeReads result;
     std::uint64_t iterations = 0;
     for (const Read& read : reads) iterations = std::max(iterations, read.iteration + 1);
@@ -177,7 +178,7 @@ NodeReads count_reads(std::span<const Read> reads) {
     for (const Read& read : reads) nodes[ends[read.iteration]++] = read.node;
     for (std::size_t i = 0; i < iterations; ++i) {
         const std::size_t begin = i > 0 ? ends[i - 1] : 0;
-        count_iteration(std::span(nodes).subspan(begin, ends[i] - begin), result);
+        count_iteration(std::span(nodes).subspan(begin, ends[i] - begin), node_bytes, result);
     }
     return result;
 }
@@ -229,7 +230,7 @@ GroupTally run_group(Lanes lanes, Schedule schedule) {
     return tally;
 }
 
-NodeReads read_nodes(Lanes lanes, Schedule schedule) {
+NodeReads read_nodes(Lanes lanes, Schedule schedule, int node_bytes) {
     std::vector<Read> reads;
     if (schedule == Schedule::lockstep) {
         for (const PixelWalks* lane : lanes) {
@@ -239,7 +240,7 @@ NodeReads read_nodes(Lanes lanes, Schedule schedule) {
                 first += length_of(ray.phases);
             }
         }
-        return count_reads(reads);
+        return count_reads(reads, std::uint32_t(node_bytes));
     }
     NodeReads sum;
     for_each_round(lanes, [&](std::span<const RayWalk* const> rays) {
@@ -247,7 +248,7 @@ NodeReads read_nodes(Lanes lanes, Schedule schedule) {
         std::vector<std::uint64_t> starts = group_phases(phases_of(rays));
         std::exclusive_scan(starts.begin(), starts.end(), starts.begin(), std::uint64_t(0));
         for (const RayWalk* ray : rays) add_reads(ray->walk, schedule, 0, starts, reads);
-        sum += count_reads(reads);
+        sum += count_reads(reads, std::uint32_t(node_bytes));
     });
     return sum;
 }

@@ -26,7 +26,7 @@ struct GroupTally {
     [[nodiscard]] double efficiency(int lanes) const;
 };
 
-/// What a group read of the tree: nodes of 16 bytes, each by all lanes that visit one in the same iteration at once.
+/// What a group read of the tree: each node by all lanes that visit it in the same iteration at once.
 struct NodeReads {
     std::uint64_t iterations = 0;  // in which some lane reads a node
     std::uint64_t lanes = 0;       // lanes that read one, over these iterations
@@ -47,6 +47,7 @@ struct NodeReads {
 
 /// A group of pixels; null and pixels without rays are idle lanes.
 [[nodiscard]] GroupTally run_group(std::span<const PixelWalks* const> lanes, Schedule schedule);
-[[nodiscard]] NodeReads read_nodes(std::span<const PixelWalks* const> lanes, Schedule schedule);
+/// Nodes of `node_bytes`, 16 or 8, from the start of a line on.
+[[nodiscard]] NodeReads read_nodes(std::span<const PixelWalks* const> lanes, Schedule schedule, int node_bytes);
 
 }  // namespace kd

@@ -17,7 +17,8 @@ using test::run_kdscope;
 using test::TestFolder;
 
 const std::string square = std::string(KD_SOURCE_DIR) + "/tests/fixtures/app/large_square.gltf";
-constexpr const char* idle_note = "1 of 2 planes by hand not used: no such node, a plane outside of its cell, or a limit";
+constexpr const char* outside = "plane by hand not used at 'b': it is not inside its cell";
+constexpr const char* nowhere = "plane by hand not used at 'aaa': the tree ends above its node";
 
 /// `stats --json` of a small picture.
 json stats(std::vector<std::string> more) {
@@ -54,10 +55,12 @@ TEST(HandSplitOption, IdlePlanesAreTold) {
         command.insert(command.end(), planes.begin(), planes.end());
         const auto outcome = run_kdscope(command);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        EXPECT_NE((outcome.out + outcome.err).find(idle_note), std::string::npos) << command.front();
+        EXPECT_NE((outcome.out + outcome.err).find(outside), std::string::npos) << command.front();
     };
     told({"render", "ball:300", "-o", folder.file("a.png")});
     told({"stats", "ball:300"});
+    told({"stats", "ball:300", "--predicted"});
+    told({"stats", "ball:300", "--traversals"});
     told({"verify", "ball:300", "--tracer", "cpu", "--builder", "paper", "--traversal", "stack"});
     told({"bench", "ball:300", "--rounds", "1", "--warmup", "0", "--tracer", "cpu", "--traversal", "stack"});
 }
@@ -114,7 +117,7 @@ TEST(HandSplitEngine, TellsIdlePlanesAndOpensThemInTheScenesUnits) {
     ASSERT_EQ(engine.state().world->loaded->name, square);
     EXPECT_EQ(engine.state().world->report.idle_hand_splits, 1);
     const auto& messages = engine.state().messages;
-    const auto is_note = [](const Message& m) { return m.text == std::string("tree: ") + idle_note; };
+    const auto is_note = [](const Message& m) { return m.text == std::string("tree: ") + nowhere; };
     EXPECT_EQ(std::ranges::count_if(messages, is_note), 1);
 }
 

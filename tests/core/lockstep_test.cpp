@@ -41,7 +41,7 @@ struct Group {
         return result;
     }
     [[nodiscard]] GroupTally run(Schedule schedule) const { return run_group(lanes(), schedule); }
-    [[nodiscard]] NodeReads reads(Schedule schedule) const { return read_nodes(lanes(), schedule); }
+    [[nodiscard]] NodeReads reads(Schedule schedule) const { return read_nodes(lanes(), schedule, 16); }
 };
 
 TEST(Walk, JoinsNeighbouringAddresses) {
@@ -120,6 +120,13 @@ TEST(NodeReads, CountsNodesSectorsAndLines) {
         EXPECT_EQ(reads, (NodeReads{4, 8, 1 + 2 + 2 + 1, 1 + 1 + 2 + 1, 1 + 1 + 2 + 1})) << info(schedule).name;
         EXPECT_EQ(reads.coherence(), 2.0 / 4);
     }
+}
+
+TEST(NodeReads, TwiceAsManyNodesOf8BytesLieInOneSector) {
+    // As above; nodes 4 and 9 are in two sectors of one line.
+    const Group group({pixel_of({walk_of("IIILT", {0, 2, 4, 20})}), pixel_of({walk_of("IIILTT", {0, 3, 9, 20})})});
+    EXPECT_EQ(read_nodes(group.lanes(), Schedule::lockstep, 8),
+              (NodeReads{4, 8, 1 + 2 + 2 + 1, 1 + 1 + 2 + 1, 1 + 1 + 1 + 1}));
 }
 
 TEST(NodeReads, KindsReadApartUnderIfIf) {
