@@ -133,13 +133,6 @@ std::span<const CellColourInfo> all_cell_colours() {
     return table;
 }
 
-std::string cells_note(const CellScale& scale) {
-    if (scale.summary.count > 0) return "";
-    return fmt::format("cells have no colours by visits: {}",
-                       scale.map.facts.empty() ? "none has a value"
-                                               : fmt::format("{}, {}", scale.map.subject, scale.map.facts[0].value));
-}
-
 bool needs_visits(CellColour colour) { return colour == CellColour::visits || colour == CellColour::ratio; }
 
 CellColours cell_colours(const KdTree& tree, CellColour colour, int max_depth, const std::string& colormap,

@@ -35,9 +35,6 @@ struct CellColours {
     CellScale scale;
 };
 
-/// One line for people where no cell has a value, such as where the scene has no such rays; else empty.
-[[nodiscard]] std::string cells_note(const CellScale& scale);
-
 /// True where a colour cannot be had without counting.
 [[nodiscard]] bool needs_visits(CellColour colour);
 

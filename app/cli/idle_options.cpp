@@ -46,6 +46,10 @@ void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const C
         context.err << "kdscope: note: --eye-leaf has no effect: the camera is outside of the tree\n";
 }
 
+void note_tree(const BuildReport& report, const CommandContext& context) {
+    for (const std::string& note : build_notes(report)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
+}
+
 OptionUse bins_use(const Session& session, bool all_builders) {
     const Builder* builder = find_builder(session.build.builder);
     return {"--bins", all_builders || (builder && builder->has_bins),

@@ -25,6 +25,9 @@ void note_idle(const CLI::App& app, const std::vector<OptionUse>& uses, const Co
 /// The same of --eye-leaf where the eye is in no leaf.
 void note_idle_eye(const Session& session, const KdTree& tree, Vec3 eye, const CommandContext& context);
 
+/// A line for each of build_notes().
+void note_tree(const BuildReport& report, const CommandContext& context);
+
 /// Option --bins, in a command that makes every tree where `all_builders`.
 [[nodiscard]] OptionUse bins_use(const Session& session, bool all_builders);
 

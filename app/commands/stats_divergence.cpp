@@ -186,7 +186,7 @@ KdTree told_tree(const FlatScene& scene, const Session& s, CommandContext& conte
     BuildReport report;
     KdTree tree = build_tree(scene.triangles, s.build, &report, {}, context.stop, s.threads);
     check_stop(context);
-    for (const std::string& note : build_notes(report)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
+    note_tree(report, context);
     return tree;
 }
 

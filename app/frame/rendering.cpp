@@ -28,7 +28,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     const Session& s = r.session;
     r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop, s.threads);
     check_stop(context);
-    for (const std::string& note : build_notes(r.build)) context.err << fmt::format("kdscope: note: tree: {}\n", note);
+    note_tree(r.build, context);
     note_idle_eye(s, r.tree, r.scene.camera.eye, context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.facts = scene_facts(r.scene, r.tree);

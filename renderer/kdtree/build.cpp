@@ -134,6 +134,8 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
         if (const auto why = why_idle(*tree, split))
             told.idle_planes.push_back(
                 fmt::format("{}: {}", split.path.empty() ? "at the root" : "at '" + split.path + "'", *why));
+    told.hand_splits = int(config.by_hand.size());
+    told.idle_hand_splits = int(told.idle_planes.size());
     told.tests_cost_nothing =
         config.intersection_cost == 0 && tree->nodes.size() == 1 && int(triangles.size()) > config.leaf_size;
     told.seconds = seconds_since(begin);

@@ -95,11 +95,9 @@ class Crown {
 
     void collect_reports() {
         BuildReport& all = task_.report;
-        all.hand_splits = all.idle_hand_splits = int(task_.config.by_hand.size());
         for (const Branch& branch : branches_) {
             all.depth_limit_hit |= branch.report.depth_limit_hit;
             all.reference_cap_hit |= branch.report.reference_cap_hit;
-            all.idle_hand_splits -= branch.report.hand_splits;
         }
     }
 

@@ -92,14 +92,12 @@ std::optional<Split> Grower::allowed(const Pending& at) {
         return std::nullopt;
     }
     std::optional<Split> split = placed ? chooser_.by_hand(at.path, at.cell, lists_) : std::nullopt;
-    const bool by_hand = split.has_value();
     if (!split) split = chooser_.by_rule(at.cell, lists_);
     if (!split || at.bad_refines + split->bad > task_.config.bad_refines) return std::nullopt;
     if (std::int64_t(split->below) + split->above > at.allowance) {
         report_.reference_cap_hit = true;
         return std::nullopt;
     }
-    report_.hand_splits += by_hand;
     return split;
 }
 

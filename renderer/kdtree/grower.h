@@ -50,7 +50,7 @@ class Grower {
     [[nodiscard]] std::optional<Halves> halve();
     [[nodiscard]] Seed rest();
 
-    /// Of what was done so far; its hand_splits are those that stand in the tree.
+    /// Of what was done so far.
     [[nodiscard]] const BuildReport& report() const { return report_; }
 
   private:

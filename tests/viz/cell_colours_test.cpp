@@ -80,17 +80,15 @@ TEST(CellColours, NothingCountedHasNoValuesButThePredictionNeedsNone) {
             const CellColours made = cell_colours(tree, colour, 64, "viridis", visits);
             EXPECT_EQ(made.scale.summary.count, 0);
             for (const Rgba8& c : made.of_node) EXPECT_EQ(c, untraced_colour);
-            EXPECT_FALSE(cells_note(made.scale).empty());
+            EXPECT_FALSE(made.scale.map.facts.empty()) << "the legend says why";
             const LegendText legend = legend_text(made.scale.map, made.scale.heat, made.scale.summary, {});
             EXPECT_TRUE(legend.ticks.empty()) << "no invented scale";
         }
         EXPECT_EQ(cell_colours(tree, CellColour::predicted, 64, "viridis", visits).scale.summary.count, 5);
     }
-    EXPECT_FALSE(cell_colours(tree, CellColour::visits, 64, "viridis", nullptr).scale.map.facts.empty())
-        << "the legend says why";
-    EXPECT_EQ(cells_note(cell_colours(tree, CellColour::visits, 64, "viridis", &none).scale),
-              "cells have no colours by visits: primary rays, no such rays");
-    EXPECT_EQ(cells_note(cell_colours(tree, CellColour::predicted, 64, "viridis", &none).scale), "");
+    const CellScale unseen = cell_colours(tree, CellColour::visits, 64, "viridis", &none).scale;
+    EXPECT_EQ(unseen.map.subject, "primary rays");
+    EXPECT_EQ(unseen.map.facts[0].value, "no such rays");
     EXPECT_THROW((void)cell_colours(tree, CellColour::predicted, 64, "nonsense", nullptr), InputError);
 }
 
