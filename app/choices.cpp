@@ -6,7 +6,9 @@
 
 namespace kd {
 
-std::string_view name_of(TracerKind tracer) { return tracer == TracerKind::cpu ? "cpu" : "gl-fragment"; }
+std::string_view name_of(TracerKind tracer) {
+    return runs_on_cpu(tracer) ? tracer_name(cpu_mode(tracer)) : tracer_name(gl_mode(tracer));
+}
 
 std::string_view name_of(EarlyZ early_z) { return early_z == EarlyZ::working ? "working" : "as-published"; }
 
@@ -52,6 +54,7 @@ std::vector<NamedValue<std::string>> names_of(const Table& table) {
 std::vector<NamedValue<TracerKind>> tracers() { return named({TracerKind::cpu, TracerKind::gl_fragment}); }
 std::vector<NamedValue<LeafLists>> leaf_lists() { return named({LeafLists::references, LeafLists::duplicated}); }
 std::vector<NamedValue<NodeEncoding>> node_encodings() { return named({NodeEncoding::float4, NodeEncoding::packed}); }
+std::vector<NamedValue<int>> packet_sizes() { return {{"4", 4}, {"8", 8}, {"16", 16}}; }
 std::vector<NamedValue<EarlyZ>> early_z() { return named({EarlyZ::working, EarlyZ::as_published}); }
 std::vector<NamedValue<Traversal>> traversals() { return ids_of<Traversal>(kd::traversals()); }
 std::vector<NamedValue<Rules>> rules() { return ids_of<Rules>(all_rules()); }

@@ -59,6 +59,7 @@ namespace choices {
 [[nodiscard]] std::vector<NamedValue<TracerKind>> tracers();
 [[nodiscard]] std::vector<NamedValue<LeafLists>> leaf_lists();
 [[nodiscard]] std::vector<NamedValue<NodeEncoding>> node_encodings();
+[[nodiscard]] std::vector<NamedValue<int>> packet_sizes();
 [[nodiscard]] std::vector<NamedValue<EarlyZ>> early_z();
 [[nodiscard]] std::vector<NamedValue<Traversal>> traversals();
 [[nodiscard]] std::vector<NamedValue<Rules>> rules();

@@ -29,6 +29,7 @@ inline constexpr Limits<unsigned> seed{0, std::numeric_limits<unsigned>::max()};
 inline constexpr Limits<int> side{1, 16384};  // of a picture: the smallest texture limit of machines met
 inline constexpr Limits<int> threads{0, 4096};
 
+inline constexpr Limits<int> leaf_block{1, 16};
 inline constexpr Limits<int> short_stack{1, max_short_stack};
 inline constexpr Limits<int> entry_tile{0, 1024};
 inline constexpr Limits<int> reflection_depth{0, 64};

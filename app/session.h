@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/scene/scene.h"
@@ -13,8 +14,12 @@
 
 namespace kd {
 
-/// cpu = shared text on the CPU; gl_fragment = the four passes.
-enum class TracerKind { cpu, gl_fragment };
+/// A machine and how it is used: every CpuMode, then every GlMode.
+enum class TracerKind { cpu, cpu_wide, cpu_packet, gl_fragment, gl_compute, gl_wavefront };
+[[nodiscard]] constexpr bool runs_on_cpu(TracerKind tracer) { return tracer < TracerKind::gl_fragment; }
+/// Of a tracer that runs there.
+[[nodiscard]] constexpr CpuMode cpu_mode(TracerKind tracer) { return CpuMode(tracer); }
+[[nodiscard]] constexpr GlMode gl_mode(TracerKind tracer) { return GlMode(int(tracer) - int(TracerKind::gl_fragment)); }
 
 struct Session {
     std::string scene = "ball:9000";  // procedural name or file

@@ -30,6 +30,7 @@ void visit_build(Visitor& v, AnyBuildConfig& b) {
     v.number("empty_bonus", b.empty_bonus, limits::share);
     v.number("empty_bonus_gate", b.empty_bonus_gate, limits::share);
     v.number("leaf_size", b.leaf_size, limits::leaf_size);
+    v.number("leaf_block", b.leaf_block, limits::leaf_block);
     v.number("max_depth", b.max_depth, limits::depth);
     v.number("empty_cut", b.empty_cut, limits::share);
     v.number("bad_refines", b.bad_refines, limits::depth);
@@ -81,6 +82,7 @@ void visit_session(Visitor& v, AnySession& s) {
     v.flag("optimised_ropes", s.trace.optimised_ropes);
     v.flag("eye_leaf", s.trace.eye_leaf);
     v.number("entry_tile", s.trace.entry_tile, limits::entry_tile);
+    v.choice("packet_size", s.trace.packet_size, choices::packet_sizes());
     v.flag("shadows", s.trace.shadows);
     v.number("reflection_depth", s.trace.reflection_depth, limits::reflection_depth);
     v.number("min_contribution", s.trace.least_contribution, limits::share);

@@ -28,7 +28,8 @@ std::string cpu_target_name() {
     return name;
 }
 
-CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree) : view_(std::make_unique<SceneView>(scene, tree)) {}
+CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree, CpuMode mode)
+    : view_(std::make_unique<SceneView>(scene, tree, mode)) {}
 
 CpuTracer::~CpuTracer() = default;
 CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/scene.h"
@@ -22,7 +23,7 @@ struct SceneView;  // renderer/cpu/scene_view.h
 /// Scene and tree must outlive it. Calls on one tracer must not overlap; each uses as many threads as it is given.
 class CpuTracer {
   public:
-    CpuTracer(const FlatScene& scene, const KdTree& tree);
+    CpuTracer(const FlatScene& scene, const KdTree& tree, CpuMode mode = CpuMode::scalar);
     ~CpuTracer();
     CpuTracer(CpuTracer&&) noexcept;
 

@@ -4,8 +4,8 @@
 
 namespace kd {
 
-SceneView::SceneView(const FlatScene& of_scene, const KdTree& of_tree)
-    : scene(&of_scene), tree(&of_tree), facts(scene_facts(of_scene, of_tree)) {}
+SceneView::SceneView(const FlatScene& of_scene, const KdTree& of_tree, CpuMode how)
+    : scene(&of_scene), tree(&of_tree), mode(how), facts(scene_facts(of_scene, of_tree)) {}
 
 void SceneView::prepare(const TraceConfig& config) {
     needs = scene_needs(facts, config);

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/kdtree/encode.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/needs.h"
@@ -15,7 +16,7 @@ namespace kd {
 
 struct SceneView {
     /// Without any table. Both must outlive this.
-    SceneView(const FlatScene& of_scene, const KdTree& of_tree);
+    SceneView(const FlatScene& of_scene, const KdTree& of_tree, CpuMode how = CpuMode::scalar);
 
     /// Makes the tables that `config` needs and lets go of those that it does not.
     void prepare(const TraceConfig& config);
@@ -31,6 +32,7 @@ struct SceneView {
 
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
+    CpuMode mode = CpuMode::scalar;
     SceneFacts facts;
     SceneNeeds needs;
     std::vector<PackedNode> packed_nodes;      // where needed

@@ -35,8 +35,8 @@ class CompilingNote {
 
 }  // namespace
 
-GlTracer::Impl::Impl(Context& context)
-    : gl(context.gl()), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
+GlTracer::Impl::Impl(Context& context, GlMode how)
+    : gl(context.gl()), mode(how), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
       no_vertices(gl), frame_block(gl), shaded_counter(gl) {
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, shaded_counter.id());
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
@@ -83,7 +83,7 @@ void bind_texture(const GlApi& gl, Unit unit, const GlTexture& texture) {
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
 }
 
-GlTracer::GlTracer(Context& context) : impl_(std::make_unique<Impl>(context)) {
+GlTracer::GlTracer(Context& context, GlMode mode) : impl_(std::make_unique<Impl>(context, mode)) {
     self_test(*this, context.renderer());
     impl_->uploaded.reset();
 }

@@ -12,6 +12,7 @@
 #include "renderer/gl/ballots.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/gl_error.h"
+#include "renderer/gl/gl_mode.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/frame.h"
@@ -57,7 +58,7 @@ struct GlMemory {
 class GlTracer {
   public:
     /// SelfTestError where the context computes wrongly (renderer/gl/self_test.h).
-    explicit GlTracer(Context& context);
+    explicit GlTracer(Context& context, GlMode mode = GlMode::fragment);
     ~GlTracer();
 
     /// Uploads what every configuration reads of scene and tree; both must outlive the next upload. InputError with the

@@ -13,6 +13,7 @@ namespace kd {
 
 struct GlTracer::Impl {
     const GlApi& gl;
+    GlMode mode;
     bool software;
     bool corrected_rounding = !software;
     GlLimits limits;
@@ -26,7 +27,7 @@ struct GlTracer::Impl {
     std::function<void(int)> told_compiling;
     int compiling = 0;
 
-    explicit Impl(Context& context);
+    Impl(Context& context, GlMode how);
 
     /// GlError where nothing has been uploaded.
     [[nodiscard]] SceneUpload& scene();

@@ -34,6 +34,9 @@ struct BuildConfig {
     float empty_cut = 0.0f;
     /// Nodes with at most this many triangles become leaves.
     int leaf_size = 2;
+    /// Triangles that a tracer tests at once, 1 to 16: t_i is paid for each so many of a leaf, the last ones included
+    /// (8 for trees that CpuMode::wide walks).
+    int leaf_block = 1;
     /// 0 = 8 + 1.6 log2(N); never above max_tree_depth.
     int max_depth = 0;
     /// How often on one path a split may cost more than it saves before the node becomes a leaf (pbrt: 2).

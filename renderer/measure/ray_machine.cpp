@@ -17,12 +17,12 @@ constexpr std::size_t rays_per_draw = 65536;
 
 class CpuMachine : public RayMachine {
   public:
-    explicit CpuMachine(int threads) : threads_(threads) {}
+    CpuMachine(int threads, CpuMode mode) : threads_(threads), mode_(mode) {}
 
-    [[nodiscard]] std::string tracer() const override { return "cpu"; }
+    [[nodiscard]] std::string tracer() const override { return std::string(tracer_name(mode_)); }
     [[nodiscard]] std::string context() const override { return "-"; }
     void load(const FlatScene& scene, const KdTree& tree) override {
-        tracer_ = std::make_unique<CpuTracer>(scene, tree);
+        tracer_ = std::make_unique<CpuTracer>(scene, tree, mode_);
     }
     bool trace(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                std::span<RayCounters> counters, std::stop_token stop) override {
@@ -37,17 +37,18 @@ class CpuMachine : public RayMachine {
 
   private:
     int threads_;
+    CpuMode mode_;
     std::unique_ptr<CpuTracer> tracer_;
 };
 
 class GlMachine : public RayMachine {
   public:
-    explicit GlMachine(ContextKind kind)
-        : context_(Context::create(kind)), tracer_(std::make_unique<GlTracer>(*context_)) {}
+    GlMachine(ContextKind kind, GlMode mode)
+        : mode_(mode), context_(Context::create(kind)), tracer_(std::make_unique<GlTracer>(*context_, mode)) {}
     // The tracer's objects live in its own context.
     ~GlMachine() override { context_->make_current(); }
 
-    [[nodiscard]] std::string tracer() const override { return "gl-fragment"; }
+    [[nodiscard]] std::string tracer() const override { return std::string(tracer_name(mode_)); }
     [[nodiscard]] std::string context() const override { return std::string(name_of(context_->kind())); }
     void load(const FlatScene& scene, const KdTree& tree) override {
         context_->make_current();
@@ -79,15 +80,20 @@ class GlMachine : public RayMachine {
     }
 
   private:
+    GlMode mode_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<GlTracer> tracer_;
 };
 
 }  // namespace
 
-std::unique_ptr<RayMachine> cpu_machine(int threads) { return std::make_unique<CpuMachine>(threads); }
+std::unique_ptr<RayMachine> cpu_machine(int threads, CpuMode mode) {
+    return std::make_unique<CpuMachine>(threads, mode);
+}
 
-std::unique_ptr<RayMachine> gl_machine(ContextKind kind) { return std::make_unique<GlMachine>(kind); }
+std::unique_ptr<RayMachine> gl_machine(ContextKind kind, GlMode mode) {
+    return std::make_unique<GlMachine>(kind, mode);
+}
 
 std::vector<std::unique_ptr<RayMachine>> gl_machines(std::span<const ContextKind> kinds, std::string_view undone,
                                                      std::vector<std::string>& notes) {

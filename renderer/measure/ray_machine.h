@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/gl/context.h"
+#include "renderer/gl/gl_mode.h"
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/frame.h"
@@ -35,10 +37,10 @@ class RayMachine {
 };
 
 /// `threads` 0 = all.
-[[nodiscard]] std::unique_ptr<RayMachine> cpu_machine(int threads);
+[[nodiscard]] std::unique_ptr<RayMachine> cpu_machine(int threads, CpuMode mode = CpuMode::scalar);
 
 /// ContextError where there is no such context.
-[[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind);
+[[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind, GlMode mode = GlMode::fragment);
 
 /// Those of `kinds` that there are; of each other a note: "gl-fragment on egl not checked: why", with `undone` for
 /// "checked".

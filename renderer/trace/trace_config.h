@@ -25,6 +25,7 @@ struct TraceConfig {
     bool optimised_ropes = true;  // ropes lead to the smallest cell beyond a face, not to the sibling across the plane
     bool eye_leaf = false;        // with ropes, primary rays begin in the leaf that the camera is in
     int entry_tile = 0;  // without ropes, primary rays begin at the entry point of their tile of n x n pixels; 0 = root
+    int packet_size = 16;  // rays that CpuMode::packet walks together: 4, 8 or 16
     bool shadows = true;
     int reflection_depth = 1;           // bounces; the paper's one-bounce reflection
     float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255

@@ -13,8 +13,8 @@ inline Session unlike_the_default() {
     auto& [scene, seed, build, trace, tracer, early_z, camera, view, width, height, threads] = session;
     scene = "rooms";
     seed = 4294967295u;
-    auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, max_depth, bad_refines,
-           reference_cap, bins, trim_leaves, by_hand] = build;
+    auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, leaf_block, max_depth,
+           bad_refines, reference_cap, bins, trim_leaves, by_hand] = build;
     builder = "binned";
     traversal_cost = 0.1f;
     intersection_cost = 1e6f;
@@ -22,13 +22,14 @@ inline Session unlike_the_default() {
     gate = 1;
     empty_cut = 0.7f;
     leaf_size = 1 << 20;
+    leaf_block = 8;
     max_depth = 9;
     bad_refines = 3;
     reference_cap = 1.1f;
     bins = 256;
     trim_leaves = false;
     by_hand = {{"", 2, -0.1f}, {"ba", 0, 3e38f}};
-    auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, shadows, bounces,
+    auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, packet_size, shadows, bounces,
            contribution, counters, step_budget, forced] = trace;
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
@@ -38,6 +39,7 @@ inline Session unlike_the_default() {
     ropes = false;
     eye_leaf = true;
     entry_tile = 16;
+    packet_size = 4;
     shadows = false;
     bounces = 64;
     contribution = 1.0f / 3;

@@ -1,0 +1,21 @@
+// How the CPU takes its rays and its triangles: one at a time, or as many as a vector holds.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace kd {
+
+enum class CpuMode {
+    scalar,  // the shared text as it stands, like the shaders: what the paper's comparison uses
+    wide,    // the same walks, and eight triangles of a leaf at a time
+    packet,  // TraceConfig::packet_size rays walk together with a stack while they agree, singly as in wide else
+};
+
+/// "cpu", "cpu-wide", "cpu-packet".
+[[nodiscard]] constexpr std::string_view tracer_name(CpuMode mode) {
+    constexpr std::array<std::string_view, 3> names{"cpu", "cpu-wide", "cpu-packet"};
+    return names[static_cast<std::size_t>(mode)];
+}
+
+}  // namespace kd

@@ -1,0 +1,21 @@
+// What kind of shaders a GlTracer runs.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace kd {
+
+enum class GlMode {
+    fragment,   // the paper's four passes as screen-aligned quads, data in textures
+    compute,    // the same passes as compute shaders, data in storage buffers
+    wavefront,  // small kernels with the state of every ray in buffers (Purcell, Buck, Mark, Hanrahan 2002)
+};
+
+/// "gl-fragment", "gl-compute", "gl-wavefront".
+[[nodiscard]] constexpr std::string_view tracer_name(GlMode mode) {
+    constexpr std::array<std::string_view, 3> names{"gl-fragment", "gl-compute", "gl-wavefront"};
+    return names[static_cast<std::size_t>(mode)];
+}
+
+}  // namespace kd
