@@ -6,6 +6,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "app/tracer_choices.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"
 #include "renderer/kdtree/ropes.h"
@@ -75,6 +76,7 @@ std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
         use("--entry-tile", WalkChoice::entry_tile),
         use("--eye-leaf", WalkChoice::eye_leaf),
         use("--rules", WalkChoice::rules),
+        use("--packet", WalkChoice::packet),
         {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
     };
 }
@@ -82,14 +84,18 @@ std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
 std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
                                    bool random_rays, bool all_builders) {
     const bool named = options.tracer.has_value() || !all_tracers;
-    const bool gl = !named || session.tracer == TracerKind::gl_fragment;
-    const bool cpu = !named || session.tracer == TracerKind::cpu;
-    const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
+    // Where every tracer is run, some have a use for each choice.
+    const auto use = [&](const char* option, TracerChoice choice) {
+        const std::string why = named ? why_idle(choice, session.tracer) : "";
+        return OptionUse{option, why.empty(), why};
+    };
     std::vector<OptionUse> uses{
-        {"--context", gl, no_gl},
-        {"--early-z", gl, no_gl},
-        {"--count-shaded", gl, no_gl},
-        {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
+        use("--context", TracerChoice::context),
+        use("--early-z", TracerChoice::early_z),
+        use("--count-shaded", TracerChoice::count_shaded),
+        use("--threads", TracerChoice::threads),
+        use("--packet", TracerChoice::packet),
+        use("--leaf-lists", TracerChoice::leaf_lists),
         bins_use(session, all_builders && !options.builder),
         seed_use(session.scene, random_rays),
     };

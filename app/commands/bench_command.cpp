@@ -34,8 +34,7 @@ using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
 std::vector<OpenTracer> open_tracers(const BenchOptions& options, BenchScene& bench) {
     std::vector<OpenTracer> tracers;
     const GlChoices gl{.context = options.context.value_or(ContextKind::automatic), .early_z = bench.session.early_z};
-    for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
-        if (options.tracer && *options.tracer != kind) continue;
+    for (const TracerKind kind : wanted_tracers(options)) {
         try {
             tracers.emplace_back(kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, gl));
         } catch (const ContextError& error) {
@@ -54,14 +53,16 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     if (s.early_z == EarlyZ::as_published)
         bench.notes.emplace_back("gl-fragment with early z as published: it culls no pixel");
     auto tracers = open_tracers(options, bench);
-    const std::vector<Traversal> walks = wanted_traversals(options, options.naive);
+    const auto walks = [&](TracerKind kind) { return wanted_walks(options, kind, options.naive); };
+    std::size_t pairs = 0;
+    for (const auto& [kind, tracer] : tracers) pairs += walks(kind).size();
     tell_work(context,
-              fmt::format("timing {}: {} on {}, {} of each", s.scene, counted(walks.size(), "traversal"),
+              fmt::format("timing {}: {} by {}, {} of each", s.scene, counted(pairs, "walk"),
                           counted(tracers.size(), "tracer"), counted(options.warmup + options.rounds, "frame")));
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
     for (auto& [kind, tracer] : tracers)
-        for (const Traversal traversal : walks) {
+        for (const Traversal traversal : walks(kind)) {
             TraceConfig config = s.trace;
             config.traversal = traversal;
             const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));
@@ -103,7 +104,7 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     const std::vector<TimedRounds> times =
         time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});
     for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].timed = times[i];
-    const auto gl = std::ranges::find(tracers, TracerKind::gl_fragment, &OpenTracer::first);
+    const auto gl = std::ranges::find_if(tracers, [](const OpenTracer& open) { return !runs_on_cpu(open.first); });
     bench.on = measured_on(in_scene_units(s, bench.scene), {"scene", "tracer", "traversal"},
                            gl == tracers.end() ? nullptr : gl->second.get());
 }
@@ -165,14 +166,14 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command bench_command() {
-    return {
-        "bench", "Times whole frames of every tracer and traversal",
-        "All traversals but naive on cpu and gl-fragment unless options name one. A frame is all its rays: primary,\n"
-        "shadow, reflection. Median and quartiles over rounds that take every contestant in turn.\n\n"
-        "Examples:\n"
-        "  kdscope bench ball:9000 scatter:10000\n"
-        "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
-        declare};
+    return {"bench", "Times whole frames of every tracer and traversal",
+            "All traversals but naive on all six tracers unless options name one. A frame is all its rays: primary,\n"
+            "shadow, reflection. Packets walk by the stack. Median and quartiles over rounds that take every "
+            "contestant in turn.\n\n"
+            "Examples:\n"
+            "  kdscope bench ball:9000 scatter:10000\n"
+            "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
+            declare};
 }
 
 }  // namespace kd
