@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "renderer/trace/trace_config.h"
+
 namespace kd {
 
 enum class CpuMode {
@@ -11,6 +13,14 @@ enum class CpuMode {
     wide,    // the same walks, and eight triangles of a leaf at a time
     packet,  // TraceConfig::packet_size rays walk together with a stack while they agree, singly as in wide else
 };
+
+/// What `mode` comes to under `config`: published rules and the naive loop know one triangle at a time, and packets
+/// walk by the stack.
+[[nodiscard]] constexpr CpuMode mode_in_force(CpuMode mode, const TraceConfig& config) {
+    if (config.rules != Rules::robust || config.traversal == Traversal::naive) return CpuMode::scalar;
+    const bool may_pack = config.traversal == Traversal::stack && config.step_budget == 0;
+    return mode == CpuMode::packet && !may_pack ? CpuMode::wide : mode;
+}
 
 /// "cpu", "cpu-wide", "cpu-packet".
 [[nodiscard]] constexpr std::string_view tracer_name(CpuMode mode) {

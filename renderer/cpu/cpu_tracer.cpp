@@ -17,6 +17,10 @@ constexpr int tile_size = 16;
 // Between looks at the stop request; rays of the naive traversal take as long as there are triangles.
 constexpr std::size_t rays_per_task = 1024, naive_rays_per_task = 16;
 
+void run_job(const TileJob& job) { job.view.in_force == CpuMode::scalar ? run_tile_job(job) : run_wide_tile_job(job); }
+
+void run_job(const RayJob& job) { job.view.in_force == CpuMode::scalar ? run_ray_job(job) : run_wide_ray_job(job); }
+
 }  // namespace
 
 std::string cpu_target_name() {
@@ -59,7 +63,7 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
         for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
             const Tile& t = tiles[i];
             const SeenArea area{camera, frame.width, frame.height, t.x0, t.y0, t.x1, t.y1};
-            run_tile_job({*view_, config, camera, t, frame, entry_points(*view_->tree, view_->boxes, config, area)});
+            run_job({*view_, config, camera, t, frame, entry_points(*view_->tree, view_->boxes, config, area)});
             const std::size_t finished = ++done;
             if (progress) progress(float(finished) / float(tiles.size()));
         }
@@ -80,8 +84,8 @@ bool CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays,
     parallel_ranges(rays.size(), grain, threads, [&](std::size_t first, std::size_t last) {
         if (stop.stop_requested()) return;
         const std::size_t n = last - first;
-        run_ray_job({*view_, config, rays.subspan(first, n), any_hit, hits.subspan(first, n),
-                     counters.empty() ? counters : counters.subspan(first, n)});
+        run_job({*view_, config, rays.subspan(first, n), any_hit, hits.subspan(first, n),
+                 counters.empty() ? counters : counters.subspan(first, n)});
         done += n;
     });
     return done == rays.size();

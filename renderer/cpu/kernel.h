@@ -2,13 +2,22 @@
 //
 // No include guard and no namespace of its own: tile_kernel.cpp includes it once per instruction set.
 
-/// `Node` is TreeNode or PackedNode, of which the view has to hold the table: no fetch asks which.
-template <class Observer, Rules rules, class Node = TreeNode>
+/// How leaves are tested: one triangle after the other, as the shared text does.
+struct SingleTests {
+    template <class Kernel, class Setup>
+    KD_FN static void test(Kernel& kernel, const Setup& s, const KdNode& leaf, Hit& hit) {
+        kernel.test_leaf(s, leaf, hit);
+    }
+};
+
+/// `Node` is TreeNode or PackedNode, of which the view has to hold the table: no fetch asks which. `Leaves` is
+/// SingleTests, or BlockTests (block_test.h) with a view in blocks.
+template <class Observer, Rules rules, class Node = TreeNode, class Leaves = SingleTests>
 class Kernel {
   public:
     Kernel(const SceneView& scene_view, const TraceConfig& config, Observer& first)
         : nodes(scene_view.nodes<Node>()), references(scene_view.tree->references.data()),
-          corners(scene_view.scene->triangles.data()),
+          blocks(scene_view.leaf_blocks.blocks.data()), corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), short_stack(config.short_stack),
           most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), observer(&first) {}
@@ -18,8 +27,10 @@ class Kernel {
     void begin_at(int node) { first_node = node; }
 
   private:
+    friend Leaves;
     const Node* nodes;
     const std::int32_t* references;
+    const LeafBlock* blocks;
     const Triangle* corners;     // by triangle number
     const Triangle* duplicates;  // by slot of the leaf lists; null where leaves go by number
     const SceneView& view;
@@ -41,6 +52,7 @@ class Kernel {
     // Tree.
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
     KD_FN int fetch_reference(int slot) const { return references[slot]; }
+    KD_FN const LeafBlock* block_at(int place) const { return blocks + place; }
     KD_FN void fetch_bounds(real3& lower, real3& upper) const {
         lower = view.scene->bounds.lower;
         upper = view.scene->bounds.upper;
@@ -109,15 +121,19 @@ class Kernel {
 #define KD_LONG_TRAIL 1
 #define KD_SHORT_STACK max_short_stack
 #define KD_TRAVERSE traverse_chosen
+#define KD_TEST_LEAF test_chosen
 #define KD_RULES int(rules)
 #include "shaders/shared/kernel.glsl"
 #undef KD_RULES
+#undef KD_TEST_LEAF
 #undef KD_TRAVERSE
 #undef KD_SHORT_STACK
 #undef KD_LONG_TRAIL
 #undef KD_STACK_SIZE
 
   private:
+    KD_FN void test_chosen(const RaySetup& s, const KdNode& leaf, Hit& hit) { Leaves::test(*this, s, leaf, hit); }
+
     void traverse_chosen(const RaySetup& s, bool any_hit, Hit& hit) {
         switch (chosen) {
 #define KD_TRAVERSAL(name, ...)                                                                                        \

@@ -30,8 +30,10 @@ struct RayJob {
     std::span<RayCounters> counters;  // empty: not counted
 };
 
-// Defined in tile_kernel.cpp, dispatched to the best instruction set of this processor.
+// Dispatched to the best instruction set of this processor. CpuMode::scalar: tile_kernel.cpp, wide: wide_kernel.cpp.
 void run_tile_job(const TileJob& job);
 void run_ray_job(const RayJob& job);
+void run_wide_tile_job(const TileJob& job);
+void run_wide_ray_job(const RayJob& job);
 
 }  // namespace kd

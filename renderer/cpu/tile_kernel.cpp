@@ -1,4 +1,4 @@
-// The hot code. Highway compiles this file once per instruction set and picks one when first called.
+// The hot code of CpuMode::scalar. Highway compiles this file once per instruction set and picks one when first called.
 
 #include <array>
 
@@ -21,54 +21,32 @@ namespace kd::HWY_NAMESPACE {
 
 #include "renderer/cpu/kernel.h"
 #include "renderer/cpu/pixel.h"
+#include "renderer/cpu/run_jobs.h"
 
-template <class Observer, Rules rules, class Node>
-void run_on(const TileJob& job) {
-    using TileKernel = Kernel<Observer, rules, Node>;
-    Observer observer;
-    TileKernel kernel(job.view, job.config, observer);
-    for (int y = job.tile.y0; y < job.tile.y1; ++y)
-        for (int x = job.tile.x0; x < job.tile.x1; ++x) trace_pixel<TileKernel, Observer>(kernel, job, x, y);
+template <Rules rules, class Job>
+void run_by(const Job& job) {
+    with_parts(job.view, counts(job), [&]<class Observer, class Node>(Observer, Node) {
+        run_on<Kernel<Observer, rules, Node>, Observer>(job);
+    });
 }
 
-template <class Observer, Rules rules, class Node>
-void run_on(const RayJob& job) {
-    Observer first;
-    Kernel<Observer, rules, Node> kernel(job.view, job.config, first);
-    for (std::size_t i = 0; i < job.rays.size(); ++i) {
-        Observer observer;
-        kernel.observe(observer);
-        // In place: a copy would wait for the stores of its parts.
-        job.hits[i] = kernel.no_hit(job.rays[i]);
-        kernel.traverse(job.rays[i], job.any_hit, job.hits[i]);
-        if constexpr (requires { observer.counters; }) job.counters[i] = observer.counters;
-    }
-}
-
-template <class Observer, Rules rules, class Job>
-void run_with(const Job& job) {
-    job.view.needs.wide_nodes ? run_on<Observer, rules, TreeNode>(job) : run_on<Observer, rules, PackedNode>(job);
-}
-
-template <class Observer, class Job>
+template <class Job>
 void run(const Job& job) {
     switch (job.config.rules) {
-        case Rules::robust: return run_with<Observer, Rules::robust>(job);
-        case Rules::as_published: return run_with<Observer, Rules::as_published>(job);
-        case Rules::first_edition: return run_with<Observer, Rules::first_edition>(job);
+        case Rules::robust: return run_by<Rules::robust>(job);
+        case Rules::as_published: return run_by<Rules::as_published>(job);
+        case Rules::first_edition: return run_by<Rules::first_edition>(job);
     }
 }
 
-void RunTileJob(const TileJob& job) { job.view.needs.counters ? run<CountingObserver>(job) : run<NullObserver>(job); }
+void RunTileJob(const TileJob& job) { run(job); }
 
-void RunRayJob(const RayJob& job) { job.counters.empty() ? run<NullObserver>(job) : run<CountingObserver>(job); }
+void RunRayJob(const RayJob& job) { run(job); }
 
 }  // namespace kd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <string>
-
 namespace kd {
 
 HWY_EXPORT(RunTileJob);

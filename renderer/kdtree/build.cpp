@@ -35,6 +35,7 @@ void check_config(const BuildConfig& config) {
     check_range("empty_bonus", double(config.empty_bonus), 0, 1);
     check_range("empty_bonus_gate", double(config.empty_bonus_gate), 0, 1);
     check_range("leaf_size", config.leaf_size, 0, 1 << 20);
+    check_range("leaf_block", config.leaf_block, 1, 16);
     check_range("max_depth", config.max_depth, 0, max_tree_depth);
     check_range("empty_cut", config.empty_cut, 0.0f, 1.0f);
     check_range("bad_refines", config.bad_refines, 0, max_tree_depth);

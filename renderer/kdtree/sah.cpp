@@ -5,7 +5,8 @@ namespace kd {
 SplitCost::SplitCost(const BuildConfig& config, const Aabb& cell, int axis)
     : lower_(cell.lower[axis]), upper_(cell.upper[axis]), traversal_(config.traversal_cost),
       intersection_(config.intersection_cost),
-      intersection_empty_((1.0 - double(config.empty_bonus)) * double(config.intersection_cost)) {
+      intersection_empty_((1.0 - double(config.empty_bonus)) * double(config.intersection_cost)),
+      block_(config.leaf_block) {
     const glm::dvec3 extent = glm::dvec3(cell.upper) - glm::dvec3(cell.lower);
     const double side = extent[(axis + 1) % 3];
     const double other_side = extent[(axis + 2) % 3];

@@ -9,9 +9,14 @@
 
 namespace kd {
 
-/// t_i * N.
+/// Tests that so many triangles cost where `block` of them are tested at once.
+[[nodiscard]] inline int tests_of(int triangles, int block) {
+    return block == 1 ? triangles : (triangles + block - 1) / block;
+}
+
+/// t_i * N, or * ceil(N / BuildConfig::leaf_block).
 [[nodiscard]] inline double leaf_cost(const BuildConfig& config, int triangles) {
-    return double(config.intersection_cost) * triangles;
+    return double(config.intersection_cost) * tests_of(triangles, config.leaf_block);
 }
 
 /// Costs of the splits of one cell across one axis. The cell must have a surface.
@@ -19,13 +24,15 @@ class SplitCost {
   public:
     SplitCost(const BuildConfig& config, const Aabb& cell, int axis);
 
-    /// t_t + (1 - b_e) * t_i * (p_A * N_A + p_B * N_B), where p is the share of the cell's surface area. The bonus b_e
-    /// is given where one side is empty and wide enough (BuildConfig::empty_bonus_gate).
+    /// t_t + (1 - b_e) * t_i * (p_A * N_A + p_B * N_B), where p is the share of the cell's surface area, and N counts
+    /// as in leaf_cost(). The bonus b_e is given where one side is empty and wide enough
+    /// (BuildConfig::empty_bonus_gate).
     [[nodiscard]] double operator()(float position, int below, int above) const {
         const double width_below = double(position) - lower_;
         const double width_above = upper_ - double(position);
         const bool bonus = (below == 0 && width_below >= gate_) || (above == 0 && width_above >= gate_);
-        const double tests = (cap_ + rim_ * width_below) * below + (cap_ + rim_ * width_above) * above;
+        const double tests = (cap_ + rim_ * width_below) * tests_of(below, block_) +
+                             (cap_ + rim_ * width_above) * tests_of(above, block_);
         return traversal_ + (bonus ? intersection_empty_ : intersection_) * tests;
     }
 
@@ -35,6 +42,7 @@ class SplitCost {
     double rim_;   // share of its other four faces, per unit of width
     double gate_;  // least width of an empty side that earns the bonus
     double traversal_, intersection_, intersection_empty_;
+    int block_;
 };
 
 /// Where triangles that lie in a plane cost less, and what the split costs then: below of equals.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/kdtree/sah.h"
+
 namespace kd {
 
 namespace {
@@ -29,12 +31,13 @@ void count_nodes(TreeStats& stats, const KdTree& tree) {
     stats.leaf_sizes = std::move(sizes);
 }
 
-void expect_visits(TreeStats& stats, const KdTree& tree) {
+void expect_visits(TreeStats& stats, const KdTree& tree, const BuildConfig& costs) {
     const std::vector<double> probabilities = visit_probabilities(tree);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         if (tree.nodes[i].is_leaf()) {
             stats.expected_leaf_visits += probabilities[i];
             stats.expected_triangle_tests += probabilities[i] * tree.nodes[i].count;
+            stats.sah_cost += probabilities[i] * leaf_cost(costs, tree.nodes[i].count);
         } else {
             stats.expected_interior_visits += probabilities[i];
         }
@@ -58,9 +61,8 @@ TreeStats tree_stats(const KdTree& tree, std::size_t triangle_count, const Build
     stats.references = std::int64_t(tree.references.size());
     if (triangle_count > 0) stats.references_per_triangle = double(stats.references) / double(stats.triangles);
     count_nodes(stats, tree);
-    expect_visits(stats, tree);
-    stats.sah_cost = double(costs.traversal_cost) * stats.expected_interior_visits +
-                     double(costs.intersection_cost) * stats.expected_triangle_tests;
+    expect_visits(stats, tree, costs);
+    stats.sah_cost += double(costs.traversal_cost) * stats.expected_interior_visits;
     stats.node_bytes = stats.nodes * std::int64_t(sizeof(TreeNode));
     stats.packed_node_bytes = stats.nodes * 8;
     stats.reference_list_bytes =

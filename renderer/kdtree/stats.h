@@ -16,7 +16,7 @@ struct TreeStats {
     std::vector<std::int64_t> leaf_sizes;  // [k] = leaves with k triangles; the last entry collects the rest
     double references_per_triangle = 0;
     /// Surface area heuristic cost of the tree in traversal steps: sum over nodes of area(node)/area(root) times
-    /// traversal_cost, or times intersection_cost * triangles at a leaf (MacDonald & Booth 1990).
+    /// traversal_cost, or times leaf_cost() at a leaf (MacDonald & Booth 1990).
     double sah_cost = 0;
     double expected_interior_visits = 0, expected_leaf_visits = 0, expected_triangle_tests = 0;  // per uniform line
     std::int64_t node_bytes = 0, packed_node_bytes = 0;  // 16 and 8 per node (NodeEncoding)

@@ -18,6 +18,7 @@ class DoubleKernel {
 
 #define KD_RULES KD_RULES_ROBUST
 #define KD_TRAVERSE traverse_all
+#define KD_TEST_LEAF test_leaf
 #include "shaders/shared/vector.glsl"
 // Each uses the ones before it.
 #include "shaders/shared/ray.glsl"
@@ -32,6 +33,7 @@ class DoubleKernel {
 #include "shaders/shared/lighting.glsl"
 #include "shaders/shared/passes.glsl"
 // clang-format on
+#undef KD_TEST_LEAF
 #undef KD_TRAVERSE
 #undef KD_RULES
 

@@ -55,6 +55,9 @@
 #ifndef KD_TRAVERSE
 #define KD_TRAVERSE traverse_stack
 #endif
+#ifndef KD_TEST_LEAF
+#define KD_TEST_LEAF test_leaf
+#endif
 #ifndef KD_STACK_SIZE
 #define KD_STACK_SIZE 64
 #endif

@@ -13,7 +13,7 @@ KD_FN bool enter_leaf(int node, IN(KdNode) leaf, INOUT(int) budget)
     return true;
 }
 
-/// Tests every triangle of a leaf. A hit outside the leaf's cell is kept: the nearest over all leaves wins.
+/// Tests every triangle of a leaf, one by one. A hit outside the leaf's cell is kept: the nearest over all leaves wins.
 KD_FN void test_leaf(IN(RaySetup) s, IN(KdNode) leaf, INOUT(Hit) hit)
 {
     for (int i = 0; i < leaf.count; ++i) {

@@ -81,7 +81,7 @@ KD_FN bool enter_as_published(IN(RaySetup) s, OUT(real3) inverse, OUT(real) t_be
 KD_FN bool finish_leaf_as_published(IN(RaySetup) s, IN(KdNode) leaf, real t_end, INOUT(Hit) hit)
 {
     Hit found = hit;
-    test_leaf(s, leaf, found);
+    KD_TEST_LEAF(s, leaf, found);
     bool within = found.triangle >= 0 && is_at_most(found.t, t_end);
     if (KD_RULES == KD_RULES_FIRST_EDITION) {
         hit = found;

@@ -31,7 +31,7 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         }
 
         if (!enter_leaf(node, n, budget)) return;
-        test_leaf(s, n, hit);
+        KD_TEST_LEAF(s, n, hit);
         if (any_hit && hit.triangle >= 0) break;
         if (node == top) break;
 

@@ -128,7 +128,7 @@ KD_FN void traverse_ropes(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         }
         if (!walk.certain) break;
         if (!enter_leaf(walk.node, n, budget)) return;
-        test_leaf(s, n, hit);
+        KD_TEST_LEAF(s, n, hit);
         done = any_hit && hit.triangle >= 0;
         if (!done) {
             real3 lower;

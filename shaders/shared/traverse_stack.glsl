@@ -42,7 +42,7 @@ KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 
         // Test it.
         if (!enter_leaf(node, n, budget)) return;
-        test_leaf(s, n, hit);
+        KD_TEST_LEAF(s, n, hit);
         if (any_hit && hit.triangle >= 0) break;
 
         // Take the next pending cell that can still hold a nearer hit. Pending cells are not sorted by t where a ray

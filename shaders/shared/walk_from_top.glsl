@@ -108,7 +108,7 @@ KD_FN void walk_from_top(IN(RaySetup) s, bool any_hit, int entry, bool push_down
 
         if (!dead_end) {
             if (!enter_leaf(node, n, budget)) return;
-            test_leaf(s, n, hit);
+            KD_TEST_LEAF(s, n, hit);
             if (any_hit && hit.triangle >= 0) break;
         }
 

@@ -68,6 +68,7 @@ class StackKernel : public RayKernel {
 #define KD_STACK_SIZE max_tree_depth
 #define KD_RULES KD_RULES_ROBUST
 #define KD_TRAVERSE traverse_stack
+#define KD_TEST_LEAF test_leaf
 // Each uses the ones before it.
 // clang-format off
 #include "shaders/shared/split_rule.glsl"
@@ -75,6 +76,7 @@ class StackKernel : public RayKernel {
 #include "shaders/shared/traverse_stack.glsl"
 #include "shaders/shared/traverse.glsl"
     // clang-format on
+#undef KD_TEST_LEAF
 #undef KD_TRAVERSE
 #undef KD_RULES
 #undef KD_STACK_SIZE
