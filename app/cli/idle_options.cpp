@@ -26,6 +26,13 @@ std::vector<const OptionUse*> idle(const CLI::App& app, const std::vector<Option
     return found;
 }
 
+/// Packets take a tracer and a walk.
+OptionUse packet_use(const Session& session, bool one_tracer, bool every_walk) {
+    std::string why = one_tracer ? why_idle(TracerChoice::packet, session.tracer) : "";
+    if (why.empty() && !every_walk) why = why_idle(WalkChoice::packet, session.trace);
+    return {"--packet", why.empty(), why};
+}
+
 bool is_seeded(const std::string& scene) {
     const ProceduralScene* procedural = find_procedural(scene);
     return procedural && procedural->seeded;
@@ -76,7 +83,6 @@ std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
         use("--entry-tile", WalkChoice::entry_tile),
         use("--eye-leaf", WalkChoice::eye_leaf),
         use("--rules", WalkChoice::rules),
-        use("--packet", WalkChoice::packet),
         {"--min-contribution", session.trace.reflection_depth > 0, "--reflection-depth 0 follows no mirror ray"},
     };
 }
@@ -84,6 +90,7 @@ std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
 std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
                                    bool random_rays, bool all_builders) {
     const bool named = options.tracer.has_value() || !all_tracers;
+    const bool every_walk = all_tracers && !options.traversal;
     // Where every tracer is run, some have a use for each choice.
     const auto use = [&](const char* option, TracerChoice choice) {
         const std::string why = named ? why_idle(choice, session.tracer) : "";
@@ -94,12 +101,12 @@ std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& 
         use("--early-z", TracerChoice::early_z),
         use("--count-shaded", TracerChoice::count_shaded),
         use("--threads", TracerChoice::threads),
-        use("--packet", TracerChoice::packet),
+        packet_use(session, named, every_walk),
         use("--leaf-lists", TracerChoice::leaf_lists),
         bins_use(session, all_builders && !options.builder),
         seed_use(session.scene, random_rays),
     };
-    std::ranges::move(walk_uses(session, all_tracers && !options.traversal), std::back_inserter(uses));
+    std::ranges::move(walk_uses(session, every_walk), std::back_inserter(uses));
     return uses;
 }
 

@@ -10,11 +10,13 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
+#include "app/commands/bench_peers.h"
 #include "app/commands/commands.h"
 #include "app/frame/counted_frame.h"
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
 
@@ -26,6 +28,7 @@ struct BenchOptions : CommonOptions {
     int rounds = 15, warmup = 3;
     bool naive = false;
     bool json = false;
+    bool peers = false;
 };
 
 using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
@@ -127,7 +130,36 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     return bench;
 }
 
+/// What rays alone have no use for.
+void note_idle_beside_peers(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    const std::string rays = "--peers times single rays, not frames";
+    for (const char* option : {"--context", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
+                               "--eye-leaf", "--entry-tile", "--force"})
+        note_idle(app, {{option, false, rays}}, context);
+    note_idle(app, {{"--packet", false, "--peers times packets of all sizes"}}, context);
+    note_idle(app, {seed_use(options.scenes.front(), true)}, context);
+}
+
+int run_peers(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    check_peers(options);
+    refuse_idle(app, {{"--naive", false, "--peers walks by the stack alone; leave one of them out"}});
+    note_idle_beside_peers(app, options, context);
+    const int threads = app.count("--threads") > 0 ? options.session.threads : 1;
+    const PeerBenchOptions how{
+        {.warmup = options.warmup, .rounds = options.rounds}, threads > 0 ? threads : default_threads(), options.json};
+    Json json = Json::array();
+    bool agree = true;
+    for (const std::string& name : options.scenes) {
+        if (!options.json && name != options.scenes.front()) context.out << '\n';
+        agree = bench_peers(options, how, name, json, context) && agree;
+        context.out.flush();
+    }
+    if (options.json) context.out << json_text(json);
+    return agree ? exit_ok : exit_check_failed;
+}
+
 int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    if (options.peers) return run_peers(app, options, context);
     refuse_idle(app,
                 {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
     require_context(options, true);
@@ -157,6 +189,9 @@ CommandBody declare(CLI::App& app) {
     add_number<int>(app, "--warmup", options->warmup, 0, 100000,
                     fmt::format("Frames of each before that [{}]", options->warmup));
     app.add_flag("--naive", options->naive, "Also the loop over all triangles: slow");
+    app.add_flag(
+        "--peers", options->peers,
+        "Times rays instead of frames, by the CPU's tracers and by Embree, on one thread unless --threads says");
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_frame_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
     add_camera_options(app, *options);
@@ -172,6 +207,7 @@ Command bench_command() {
             "contestant in turn.\n\n"
             "Examples:\n"
             "  kdscope bench ball:9000 scatter:10000\n"
+            "  kdscope bench ball:9000 rooms --peers --builder exact\n"
             "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
             declare};
 }

@@ -134,6 +134,7 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
     for (const char* option : {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
                                "--force", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{option, options.needs, frames}});
+    refuse_idle(app, {{"--packet", options.needs, "packets of all sizes are checked; leave it out"}});
     for (const char* option : {"--early-z", "--force"})
         refuse_idle(app,
                     {{option, !options.needs, "--needs puts features back itself, and culls as usual; leave it out"}});

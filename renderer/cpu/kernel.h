@@ -40,7 +40,8 @@ class Kernel {
     int first_node = 0;
     Observer* observer;
 
-    // Observer.
+    // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
+#ifndef KD_NO_OBSERVER
     KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
     KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }
@@ -48,6 +49,7 @@ class Kernel {
     KD_FN void on_restart() { observer->on_restart(); }
     KD_FN void on_backtrack() { observer->on_backtrack(); }
     KD_FN void on_exit(int reason) { observer->on_exit(reason); }
+#endif
 
     // Tree.
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
