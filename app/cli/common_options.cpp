@@ -159,9 +159,7 @@ void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& d
         add_choice(app, "--rules", o.session.trace.rules, choices::rules(),
                    "How a walk decides between children [robust]"),
         add_choice(app, "--tracer", o.tracer, choices::tracers(),
-                   text("What traces: the CPU ray by ray, with eight triangles of a leaf at once, or with packets of "
-                        "rays; or OpenGL by fragment passes, compute passes, or small kernels",
-                        defaults.tracer)),
+                   text("What traces: the CPU in one of three ways, or OpenGL in one of three", defaults.tracer)),
         add_choice(app, "--packet", o.session.trace.packet_size, choices::packet_sizes(),
                    fmt::format("Rays that cpu-packet walks together [{}]", o.session.trace.packet_size)),
         add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),

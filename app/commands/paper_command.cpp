@@ -95,7 +95,7 @@ CommandBody declare(CLI::App& app) {
     add_machine_options(app, *options);
     app.get_option("--threads")->description("Threads of the CPU tracers; 0 is all [1]");
     add_tracing_options(app, *options, ShownDefaults{.tracer = "all"});
-    hide_options(app, {"--traversal"});
+    hide_options(app, {"--traversal", "--packet"});
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 

@@ -14,6 +14,9 @@ namespace kd {
 
 namespace {
 
+/// Of the scene's diagonal: a hundred times what positions of hits are off by, and less than what parts surfaces.
+constexpr float surface_share = 1e-4f;
+
 /// The bits of x at the even places of the result.
 std::uint32_t spread(std::uint32_t x) {
     std::uint32_t out = 0;
@@ -27,6 +30,16 @@ Vec3 hemisphere(Random& random, Vec3 normal) {
     const double r = std::sqrt(std::max(0.0, 1 - z * z));
     const Vec3 d(float(r * std::cos(angle)), float(r * std::sin(angle)), float(z));
     return glm::dot(d, normal) < 0 ? -d : d;
+}
+
+/// Where a ray begins is told to every tracer in the same way: past the surface that it leaves, by its interval alone.
+/// kdscope knows the triangle as well; a peer that does not finds it again at t = 0.
+void begin_past_surface(std::vector<Ray>& rays, float distance) {
+    for (Ray& ray : rays) {
+        ray.source = -1;
+        ray.t_min = distance / glm::length(ray.direction);
+    }
+    std::erase_if(rays, [](const Ray& ray) { return !(ray.t_min < ray.t_max); });
 }
 
 }  // namespace
@@ -54,8 +67,11 @@ std::vector<BenchRays> bench_rays(const FlatScene& scene, const KdTree& tree, in
         {RayType::shadow, {}},
         {RayType::random, leave_hits(scene, primary, hits, [&](Vec3 normal) { return hemisphere(random, normal); })}};
     if (!scene.lights.empty()) others.front().rays = shadow_rays(scene, primary, hits, scene.lights.front());
-    for (BenchRays& rays : others)
+    const float distance = surface_share * glm::length(scene.bounds.upper - scene.bounds.lower);
+    for (BenchRays& rays : others) {
+        begin_past_surface(rays.rays, distance);
         if (!rays.rays.empty()) all.push_back(std::move(rays));
+    }
     return all;
 }
 

@@ -28,7 +28,8 @@ struct BenchRays {
 
 /// Of each type, in their order: primary ones of the scene's camera; from their hits towards the scene's first light,
 /// up to it; and from there in directions uniform over the hemisphere about the geometric normal, as long as rays may
-/// be. Types that there are no rays of, as the scene has no light or the picture no hit, are left out.
+/// be; these begin at t = 1e-4 of the scene's diagonal, and know no triangle to pass over. Types that there are no rays
+/// of, as the scene has no light or the picture no hit, are left out.
 [[nodiscard]] std::vector<BenchRays> bench_rays(const FlatScene& scene, const KdTree& tree, int width, int height,
                                                 unsigned seed);
 
