@@ -123,3 +123,15 @@ struct Lanes {
         return c;
     }
 };
+
+/// N hits from rows of their parts.
+template <int N>
+KD_FN void store_hits(const std::int32_t* triangle, const Lanes<N>& t, const Lanes<N>& u, const Lanes<N>& v,
+                      Hit* hits) {
+    static_assert(sizeof(Hit) == 4 * sizeof(float) && offsetof(Hit, t) == 4 && offsetof(Hit, u) == 8);
+    constexpr auto tag = Lanes<N>::tag;
+    constexpr int width = Lanes<N>::width;
+    for (int i = 0; i < Lanes<N>::parts; ++i)
+        hn::StoreInterleaved4(hn::BitCast(tag, hn::Load(LaneMask<N>::whole, triangle + i * width)), t.part[i],
+                              u.part[i], v.part[i], tag, reinterpret_cast<float*>(hits + i * width));
+}

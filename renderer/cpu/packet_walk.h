@@ -227,13 +227,23 @@ class PacketWalk {
         kernel_.begin_above(0);
     }
 
-    void answer(unsigned together) {
-        (L::load(u_) / L::load(determinant_)).store(u_);
-        (L::load(v_) / L::load(determinant_)).store(v_);
-        for (; together != 0; together &= together - 1) {
-            const int lane = std::countr_zero(together);
-            hits_[lane] = {triangle_[lane], t_[lane], u_[lane], v_[lane]};
-            observers_[lane].on_exit(triangle_[lane] >= 0 ? KD_EXIT_HIT : KD_EXIT_MISS);
+    KD_FN void answer(unsigned together) {
+        const L over = L::load(determinant_);
+        const L u = L::load(u_) / over, v = L::load(v_) / over;
+        if (std::popcount(together) == N) {
+            store_hits(triangle_, L::load(t_), u, v, hits_);
+        } else {
+            u.store(u_);
+            v.store(v_);
+            for (unsigned left = together; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                hits_[lane] = {triangle_[lane], t_[lane], u_[lane], v_[lane]};
+            }
         }
+        if constexpr (counting)
+            for (unsigned left = together; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                observers_[lane].on_exit(triangle_[lane] >= 0 ? KD_EXIT_HIT : KD_EXIT_MISS);
+            }
     }
 };

@@ -19,15 +19,15 @@ class RayBatch {
 
     /// At least one ray, at most N.
     void load(std::span<const Ray> rays, const Aabb& bounds) {
-        for (std::size_t i = 0; i < N; ++i) {
-            const Ray& ray = rays[i < rays.size() ? i : 0];
-            for (int axis = 0; axis < 3; ++axis) {
-                origin[axis][i] = AXIS(ray.origin, axis);
-                direction[axis][i] = AXIS(ray.direction, axis);
-            }
-            t_min[i] = ray.t_min;
-            t_max[i] = ray.t_max;
-            source[i] = ray.source;
+        for (std::size_t i = 0; i < N; i += 4) {
+            const auto at = [&](std::size_t ray) -> const Ray& { return rays[ray < rays.size() ? ray : 0]; };
+            const Ray &a = at(i), &b = at(i + 1), &c = at(i + 2), &d = at(i + 3);
+            static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && offsetof(Ray, t_max) == 28);
+            turn({&a.origin.x, &b.origin.x, &c.origin.x, &d.origin.x},
+                 {&origin[0][i], &origin[1][i], &origin[2][i], &direction[0][i]});
+            turn({&a.direction.y, &b.direction.y, &c.direction.y, &d.direction.y},
+                 {&direction[1][i], &direction[2][i], &t_min[i], &t_max[i]});
+            for (std::size_t lane = 0; lane < 4; ++lane) source[i + lane] = at(i + lane).source;
         }
         regular = set_up(bounds) & ((1u << rays.size()) - 1);
         entered = bounds.lower.x <= bounds.upper.x ? clip(bounds) & regular : 0;
@@ -54,6 +54,23 @@ class RayBatch {
     }
 
   private:
+    /// Four rows of four numbers as columns.
+    KD_FN static void turn(const std::array<const float*, 4>& row, const std::array<float*, 4>& column) {
+#if HWY_TARGET == HWY_SCALAR
+        for (std::size_t i = 0; i < 16; ++i) column[i % 4][i / 4] = row[i / 4][i % 4];
+#else
+        const hn::FixedTag<float, 4> four;
+        const auto a = hn::LoadU(four, row[0]), b = hn::LoadU(four, row[1]), c = hn::LoadU(four, row[2]),
+                   d = hn::LoadU(four, row[3]);
+        const auto ac_low = hn::InterleaveLower(four, a, c), bd_low = hn::InterleaveLower(four, b, d);
+        const auto ac_high = hn::InterleaveUpper(four, a, c), bd_high = hn::InterleaveUpper(four, b, d);
+        hn::Store(hn::InterleaveLower(four, ac_low, bd_low), four, column[0]);
+        hn::Store(hn::InterleaveUpper(four, ac_low, bd_low), four, column[1]);
+        hn::Store(hn::InterleaveLower(four, ac_high, bd_high), four, column[2]);
+        hn::Store(hn::InterleaveUpper(four, ac_high, bd_high), four, column[3]);
+#endif
+    }
+
     /// The lanes that are valid_ray() and ask for nothing rare: no axis that the ray is parallel to, no start from
     /// afar, no product beyond single precision.
     KD_FN unsigned set_up(const Aabb& bounds) {

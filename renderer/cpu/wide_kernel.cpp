@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
@@ -45,8 +46,10 @@ void run_batches(const RayJob& job) {
     for (std::size_t first = 0; first < job.rays.size(); first += N) {
         const std::size_t count = std::min(job.rays.size() - first, std::size_t(N));
         observers = {};
-        tracer.trace(job.rays.subspan(first, count), job.any_hit, hits.data(), observers.data());
-        std::copy_n(hits.begin(), count, job.hits.begin() + std::ptrdiff_t(first));
+        const bool whole = count == N;
+        tracer.trace(job.rays.subspan(first, count), job.any_hit, whole ? &job.hits[first] : hits.data(),
+                     observers.data());
+        if (!whole) std::copy_n(hits.begin(), count, job.hits.begin() + std::ptrdiff_t(first));
         if constexpr (requires { observers[0].counters; })
             for (std::size_t i = 0; i < count; ++i) job.counters[first + i] = observers[i].counters;
     }
