@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
@@ -23,21 +24,58 @@ namespace kd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "renderer/cpu/block_test.h"
+// Each uses the ones before it.
+// clang-format off
 #include "renderer/cpu/kernel.h"
+#include "renderer/cpu/block_test.h"
+#include "renderer/cpu/lanes.h"
+#include "renderer/cpu/ray_batch.h"
+#include "renderer/cpu/packet_walk.h"
+#include "renderer/cpu/batch_trace.h"
 #include "renderer/cpu/pixel.h"
 #include "renderer/cpu/run_jobs.h"
+// clang-format on
 
-template <class Job>
-void run_in_blocks(const Job& job) {
+/// Rays by the stack, N at a time.
+template <class Kernel, class Observer, int N>
+void run_batches(const RayJob& job) {
+    std::array<Observer, N> observers;
+    std::array<Hit, N> hits;
+    Kernel kernel(job.view, job.config, observers[0]);
+    BatchTracer<Kernel, Observer, N> tracer(kernel, job.view.scene->bounds, job.view.in_force == CpuMode::packet);
+    for (std::size_t first = 0; first < job.rays.size(); first += N) {
+        const std::size_t count = std::min(job.rays.size() - first, std::size_t(N));
+        observers = {};
+        const bool whole = count == N;
+        tracer.trace(job.rays.subspan(first, count), job.any_hit, whole ? &job.hits[first] : hits.data(),
+                     observers.data());
+        if (!whole) std::copy_n(hits.begin(), count, job.hits.begin() + std::ptrdiff_t(first));
+        if constexpr (requires { observers[0].counters; })
+            for (std::size_t i = 0; i < count; ++i) job.counters[first + i] = observers[i].counters;
+    }
+}
+
+template <class Kernel, class Observer>
+void run_rays(const RayJob& job) {
+    if (job.config.traversal != Traversal::stack) return run_on<Kernel, Observer>(job);
+    switch (job.view.in_force == CpuMode::packet ? job.config.packet_size : block_size) {
+        case 4: return run_batches<Kernel, Observer, 4>(job);
+        case 8: return run_batches<Kernel, Observer, 8>(job);
+        default: return run_batches<Kernel, Observer, 16>(job);
+    }
+}
+
+void RunWideTileJob(const TileJob& job) {
     with_parts(job.view, counts(job), [&]<class Observer, class Node>(Observer, Node) {
         run_on<Kernel<Observer, Rules::robust, Node, BlockTests>, Observer>(job);
     });
 }
 
-void RunWideTileJob(const TileJob& job) { run_in_blocks(job); }
-
-void RunWideRayJob(const RayJob& job) { run_in_blocks(job); }
+void RunWideRayJob(const RayJob& job) {
+    with_parts(job.view, counts(job), [&]<class Observer, class Node>(Observer, Node) {
+        run_rays<Kernel<Observer, Rules::robust, Node, BlockTests>, Observer>(job);
+    });
+}
 
 }  // namespace kd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

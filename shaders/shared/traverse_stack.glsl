@@ -1,12 +1,8 @@
 // Depth-first, near child first, far children on a stack: the paper's CPURT.
 
-KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
+/// Visits what lies below `node`, over the part of the ray inside of its cell.
+KD_FN void walk_below(IN(RaySetup) s, int node, real t_begin, real t_end, bool any_hit, INOUT(Hit) hit)
 {
-    real t_begin;
-    real t_end;
-    int node = entry_node();
-    if (!enter_at(s, node, t_begin, t_end)) return;
-
     int stack_node[KD_STACK_SIZE];
     real stack_begin[KD_STACK_SIZE];
     real stack_end[KD_STACK_SIZE];
@@ -58,4 +54,12 @@ KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         t_end = stack_end[depth];
     }
     finish_walk(hit);
+}
+
+KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
+{
+    real t_begin;
+    real t_end;
+    int node = entry_node();
+    if (enter_at(s, node, t_begin, t_end)) walk_below(s, node, t_begin, t_end, any_hit, hit);
 }

@@ -1,0 +1,249 @@
+// Rays that walk together (Wald, Slusallek, Benthin, Wagner, "Interactive Rendering with Coherent Ray Tracing", 2001):
+// traverse_stack.glsl with N intervals for one path. Every lane makes the visits that it would make alone, in that
+// order, so that its hit and its counters are those of the single walk; a node is fetched once for all of them.
+//
+// No include guard: included once per instruction set, behind ray_batch.h.
+
+/// `Observer` is the kernel's; each lane has its own.
+template <class Kernel, class Observer, int N>
+class PacketWalk {
+  public:
+    using Batch = RayBatch<Kernel, N>;
+
+    /// Of all lanes: `hits` are answered, `observers` told.
+    PacketWalk(Kernel& kernel, const Batch& batch, bool any_hit, Hit* hits, Observer* observers)
+        : kernel_(kernel), batch_(batch), any_hit_(any_hit), hits_(hits), observers_(observers) {}
+
+    /// Walks the lanes `together`, which enter the tree, with equal signs of their directions and the same longest
+    /// axis.
+    void walk(unsigned together) {
+        const int first = std::countr_zero(together);
+        for (int axis = 0; axis < 3; ++axis) upwards_[axis] = (batch_.upwards[axis] >> first & 1u) != 0;
+        z_ = batch_.longest_axis_of(first);
+        x_ = z_ == 2 ? 0 : z_ + 1;
+        y_ = x_ == 2 ? 0 : x_ + 1;
+        L begin, end;
+        enter(together, begin, end);
+        int node = 0;
+        do {
+            const KdNode leaf = descend(node, begin, end);
+            test(node, leaf, begin <= end);
+        } while (pop(node, begin, end));
+        answer(together);
+    }
+
+  private:
+    using L = Lanes<N>;
+    using Mask = LaneMask<N>;
+    using Row = float[N];
+
+    /// A far child with the lanes that have to visit it: those whose interval is not empty.
+    struct Pending {
+        alignas(64) Row begin, end;
+        int node;
+    };
+
+    Kernel& kernel_;
+    const Batch& batch_;
+    const bool any_hit_;
+    Hit* hits_;
+    Observer* observers_;
+    int x_ = 0, y_ = 0, z_ = 0;
+    bool upwards_[3] = {};
+    int pending_ = 0;
+    // The nearest hits so far; u and v are yet to be divided by the determinant.
+    alignas(64) Row t_, u_, v_, determinant_;
+    alignas(64) Row horizon_;  // behind it no cell can hold a nearer hit: see beyond_hit()
+    alignas(64) std::int32_t triangle_[N];
+    int depth_[N];  // pending cells of each lane, where counted
+    Pending stack_[max_tree_depth];
+
+    // So few rays are walked one by one.
+    static constexpr int fewest = 2;
+    static constexpr bool counting = requires(Observer o) { o.counters; };
+
+    /// Calls `tell` with every lane of the mask, where there is somebody to tell.
+    template <class Tell>
+    KD_FN void observe(const Mask& lanes, const Tell& tell) {
+        if constexpr (counting)
+            for (unsigned left = lanes.bits(); left != 0; left &= left - 1) tell(std::countr_zero(left));
+    }
+
+    KD_FN void enter(unsigned together, L& begin, L& end) {
+        for (int i = 0; i < N; ++i) {
+            triangle_[i] = -1;
+            depth_[i] = 0;
+            horizon_[i] = (together >> i & 1u) != 0 ? 0.0f : -1.0f;
+        }
+        const Mask walking = L::all(0.0f) <= L::load(horizon_);
+        begin = L::load(batch_.begin);
+        end = choose(walking, L::load(batch_.end), L::all(-1.0f));
+        L::load(batch_.t_max).store(t_);
+        L::all(KD_T_LIMIT).store(horizon_);
+        L::all(0.0f).store(u_);
+        L::all(0.0f).store(v_);
+        L::all(1.0f).store(determinant_);
+    }
+
+    /// Down to a leaf, near child first, as visit_children() says of each lane: an interval that is cut to nothing is
+    /// a child that the lane does not visit.
+    KD_FN KdNode descend(int& node, const L& begin, L& end) {
+        KdNode n = kernel_.fetch_node(node);
+        while (n.flag != KD_LEAF) {
+            const int axis = n.flag;
+            observe(begin <= end, [&](int lane) { observers_[lane].on_interior(node, false); });
+            const L t_plane = (L::all(n.split) - L::load(batch_.origin[axis])) * L::load(batch_.inverse[axis]);
+            const L wider = L::load(batch_.t_slack[axis]);
+            const L near_end = least(t_plane + wider, end);
+            const L far_begin = greatest(t_plane - wider, begin);
+            const Mask near = begin <= near_end, far = far_begin <= end;
+            const bool no_near = near.none(), no_far = far.none();
+            if (!no_near && !no_far) {
+                observe(near & far, [&](int lane) { observers_[lane].on_push(++depth_[lane]); });
+                Pending& next = stack_[pending_++];
+                far_begin.store(next.begin);
+                end.store(next.end);
+                next.node = kernel_.child_of(node, n, !upwards_[axis]);
+                end = near_end;
+            }
+            node = kernel_.child_of(node, n, upwards_[axis] != no_near);
+            n = kernel_.fetch_node(node);
+        }
+        return n;
+    }
+
+    /// The triangle's corners as the lanes see them: permuted, from their origins, sheared but for z.
+    struct Corner {
+        L x, y, z;
+    };
+
+    KD_FN void test(int node, const KdNode& leaf, const Mask& lanes) {
+        observe(lanes, [&](int lane) { observers_[lane].on_leaf(node); });
+        if (leaf.count == 0) return;
+        const LeafBlock* block = kernel_.block_at(leaf.link);
+        const L origin_x = L::load(batch_.origin[x_]), origin_y = L::load(batch_.origin[y_]),
+                origin_z = L::load(batch_.origin[z_]);
+        const L shear_x = L::load(batch_.shear[0]), shear_y = L::load(batch_.shear[1]);
+        for (int i = 0; i < leaf.count; ++i) {
+            observe(lanes, [&](int lane) { observers_[lane].on_triangle(i); });
+            const LeafBlock& of = block[i / block_size];
+            const auto slot = std::size_t(i % block_size);
+            const auto corner = [&](std::size_t c) -> Corner {
+                const L z = L::all(of.corner[c][std::size_t(z_)][slot]) - origin_z;
+                return {L::all(of.corner[c][std::size_t(x_)][slot]) - origin_x - shear_x * z,
+                        L::all(of.corner[c][std::size_t(y_)][slot]) - origin_y - shear_y * z, z};
+            };
+            intersect(corner(0), corner(1), corner(2), of.triangle[slot], lanes);
+        }
+    }
+
+    /// As intersect_triangle(), of the lanes of the mask.
+    KD_FN void intersect(const Corner& a, const Corner& b, const Corner& c, std::int32_t triangle, const Mask& lanes) {
+        const L product_a = c.x * b.y, product_b = a.x * c.y, product_c = b.x * a.y;
+        const L edge_a = product_a - c.y * b.x, edge_b = product_b - a.y * c.x, edge_c = product_c - b.y * a.x;
+        const L smallest = least(edge_a, least(edge_b, edge_c)), largest = greatest(edge_a, greatest(edge_b, edge_c));
+        const L inside = greatest(smallest, -largest);
+        const Mask may_hit = (L::all(0.0f) <= inside) & lanes;
+        if (may_hit.none()) return;
+
+        const L determinant = edge_a + edge_b + edge_c;
+        const L product = greatest(magnitude(product_a), greatest(magnitude(product_b), magnitude(product_c)));
+        const L kept = magnitude(determinant) - L::all(Kernel::KD_THIN) * product;
+        const Mask rare = may_hit & (least(inside, kept) <= L::all(0.0f));
+        const L shear_z = L::load(batch_.shear[2]);
+        const L scaled_t = edge_a * (shear_z * a.z) + edge_b * (shear_z * b.z) + edge_c * (shear_z * c.z);
+        const L t = scaled_t / determinant, nearest = L::load(t_);
+        if (KD_RARE(!rare.none()))
+            for (unsigned left = rare.bits(); left != 0; left &= left - 1)
+                intersect_singly(std::countr_zero(left), triangle);
+        Mask nearer = (may_hit - rare) & (L::load(batch_.t_min) < t) & (t <= nearest);
+        if (nearer.none()) return;
+        nearer = nearer - Mask::equal(batch_.source, triangle);
+        nearer = nearer - ((t == nearest) & Mask::less(triangle_, triangle));  // of equal t the lowest number wins
+        t.store(nearer, t_);
+        edge_b.store(nearer, u_);
+        edge_c.store(nearer, v_);
+        determinant.store(nearer, determinant_);
+        nearer.put(triangle, triangle_);
+        (any_hit_ ? L::all(-1.0f) : t * L::all(1.0f + KD_T_PADDING)).store(nearer, horizon_);
+    }
+
+    [[nodiscard]] Hit hit_of(int lane) const {
+        const float over = determinant_[lane];
+        return {triangle_[lane], t_[lane], u_[lane] / over, v_[lane] / over};
+    }
+
+    void keep(int lane, const Hit& hit) {
+        triangle_[lane] = hit.triangle;
+        t_[lane] = hit.t;
+        u_[lane] = hit.u;
+        v_[lane] = hit.v;
+        determinant_[lane] = 1.0f;
+        if (hit.triangle >= 0) horizon_[lane] = any_hit_ ? -1.0f : hit.t * (1.0f + KD_T_PADDING);
+    }
+
+    /// A lane whose edge functions or determinant the shared text looks at more closely.
+    [[gnu::noinline]] void intersect_singly(int lane, std::int32_t triangle) {
+        typename Kernel::RaySetup s;
+        batch_.extract(lane, s);
+        Hit hit = hit_of(lane);
+        kernel_.intersect_triangle(s, -1, triangle, hit);
+        if (hit.triangle == triangle) keep(lane, hit);
+    }
+
+    /// To the next pending cell that some lane still has to visit; false where there is none. Where few have, each goes
+    /// its own way.
+    KD_FN bool pop(int& node, L& begin, L& end) {
+        while (pending_ > 0) {
+            const Pending& next = stack_[--pending_];
+            begin = L::load(next.begin);
+            end = L::load(next.end);
+            const Mask waiting = begin <= end;
+            observe(waiting, [&](int lane) { --depth_[lane]; });
+            const Mask walking = waiting - (L::load(horizon_) < begin);
+            if (walking.none()) continue;
+            if (const unsigned lanes = walking.bits(); std::popcount(lanes) <= fewest) {
+                walk_singly(lanes, next);
+                continue;
+            }
+            node = next.node;
+            end = choose(walking, end, L::all(-1.0f));
+            return true;
+        }
+        return false;
+    }
+
+    [[gnu::noinline]] void walk_singly(unsigned lanes, const Pending& from) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            typename Kernel::RaySetup s;
+            batch_.extract(lane, s);
+            Hit hit = hit_of(lane);
+            kernel_.observe(observers_[lane]);
+            kernel_.begin_above(depth_[lane]);
+            kernel_.walk_below(s, from.node, from.begin[lane], from.end[lane], any_hit_, hit);
+            keep(lane, hit);
+        }
+        kernel_.begin_above(0);
+    }
+
+    KD_FN void answer(unsigned together) {
+        const L over = L::load(determinant_);
+        const L u = L::load(u_) / over, v = L::load(v_) / over;
+        if (std::popcount(together) == N) {
+            store_hits(triangle_, L::load(t_), u, v, hits_);
+        } else {
+            u.store(u_);
+            v.store(v_);
+            for (unsigned left = together; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                hits_[lane] = {triangle_[lane], t_[lane], u_[lane], v_[lane]};
+            }
+        }
+        if constexpr (counting)
+            for (unsigned left = together; left != 0; left &= left - 1) {
+                const int lane = std::countr_zero(left);
+                observers_[lane].on_exit(triangle_[lane] >= 0 ? KD_EXIT_HIT : KD_EXIT_MISS);
+            }
+    }
+};
