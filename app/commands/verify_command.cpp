@@ -77,7 +77,8 @@ Json json_of(const VerifyReport& report) {
 
 void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
     using enum TextTable::Align;
-    out << fmt::format("{}: {}\n", scene, counted(report.triangles, "triangle"));
+    out << fmt::format("{}: {}; the CPU traces with {}\n", scene, counted(report.triangles, "triangle"),
+                       cpu_target_name());
     TextTable table({{"builder", left},
                      {"traversal", left},
                      {"leaf lists", left},
