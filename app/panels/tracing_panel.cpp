@@ -78,9 +78,14 @@ void draw_packet_size(TraceConfig& trace) {
 
 void draw_tracer(const EngineState& state, Edit& edit) {
     const std::string why = state.gl.known && !state.gl.available() ? state.gl.unavailable : "";
+    const bool robust = rules_in_force(edit.session.trace) == Rules::robust;
+    const auto why_missing = [&](TracerKind tracer) -> std::string {
+        if (runs_on_cpu(tracer)) return "";
+        return why.empty() && tracer == TracerKind::gl_wavefront && !robust ? "it walks by robust rules alone" : why;
+    };
     std::vector<widgets::Option> options;
     for (const NamedValue<TracerKind>& tracer : choices::tracers())
-        options.push_back({tracer.name, summary_of(tracer.value), {}, runs_on_cpu(tracer.value) ? "" : why});
+        options.push_back({tracer.name, summary_of(tracer.value), {}, why_missing(tracer.value)});
     int index = int(edit.session.tracer);
     if (widgets::choice("tracer", index, options,
                         "What makes the picture. Maps are the same by all of them, times are not. Key V: the other "
@@ -135,8 +140,12 @@ void draw_early_z(Edit& edit) {
     ImGui::EndDisabled();
 }
 
-void draw_rules(TraceConfig& trace) {
-    static const std::vector<widgets::Option> options = widgets::options_of(all_rules());
+void draw_rules(Edit& edit) {
+    TraceConfig& trace = edit.session.trace;
+    std::vector<widgets::Option> options = widgets::options_of(all_rules());
+    for (std::size_t i = 0; i < options.size(); ++i)
+        if (edit.session.tracer == TracerKind::gl_wavefront && Rules(i) != Rules::robust)
+            options[i].missing = "gl-wavefront walks by robust rules alone";
     int index = int(trace.rules);
     if (widgets::choice("rules", index, options,
                         widgets::tip_of("How a walk decides between children and goes on. Published rules lose rays "
@@ -230,7 +239,7 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     draw_leaf_lists(edit);
     draw_nodes(trace);
     draw_early_z(edit);
-    draw_rules(trace);
+    draw_rules(edit);
     if (state.picture && !runs_on_cpu(state.picture->traced.tracer)) draw_shaded(state, *state.picture);
 }
 
