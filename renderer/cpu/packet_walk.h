@@ -60,7 +60,7 @@ class PacketWalk {
     Pending stack_[max_tree_depth];
 
     // So few rays are walked one by one.
-    static constexpr int fewest = 2;
+    static constexpr int fewest = 1;
     static constexpr bool counting = requires(Observer o) { o.counters; };
 
     /// Calls `tell` with every lane of the mask, where there is somebody to tell.
