@@ -48,35 +48,50 @@ Json json_of(const PeersScene& peers, const RayBenchRow& row) {
     return json;
 }
 
+/// The speed over the robust or the default peer, with its interval; empty for that peer itself.
+std::string speed_text(const std::vector<SpeedOfPeer>& speeds, bool robust) {
+    const auto found =
+        std::ranges::find(speeds, robust, [](const SpeedOfPeer& of) { return of.peer.ends_with("-robust"); });
+    return found == speeds.end() ? "" : interval_text(found->speed);
+}
+
+/// "1.91 (1.90 – 1.93), 0.96 of a spin loop's".
+std::string gain_text(const RayBenchRow& row) {
+    if (!row.gain || !row.gain_of_spin) return "";
+    return fmt::format("{}, {} of a spin loop's", interval_text(*row.gain), short_number(row.gain_of_spin->median));
+}
+
 void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
     using enum TextTable::Align;
-    std::vector<TextTable::Column> columns{
-        {"tracer", left}, {"tree", left},      {"threads"},         {"ms"}, {"p25"}, {"p75"}, {"Mray/s"}, {"hits"},
-        {"differ"},       {"of robust", left}, {"of default", left}};
     const bool threads = !peers.result.spins.empty();
-    if (threads) columns.push_back({"gain", left, true});
+    std::vector<TextTable::Column> columns{{"tracer", left}, {"block"},  {"ms"},    {"p25"},
+                                           {"p75"},          {"Mray/s"}, {"differ"}};
+    columns.push_back({"of robust", left});
+    columns.push_back({"of default", left});
+    if (threads) {
+        columns.insert(columns.begin() + 2, {"threads"});
+        columns.push_back({"gain", left, true});
+    }
     TextTable table(std::move(columns));
     for (const RayBenchRow& row : peers.result.rows) {
         if (row.type != type) continue;
         const TimeSummary time = row.timed.total();
         const std::vector<SpeedOfPeer> of = speeds_of_peers(peers.result, row);
-        const auto speed = [&](std::size_t i) { return i < of.size() ? ratio_text(of[i].speed) : ""; };
-        const std::string packet = !row.is_peer() && row.packet > 1 ? fmt::format(" {}", row.packet) : "";
-        std::vector<std::string> cells{row.tracer + packet,
-                                       row.is_peer() ? "" : fmt::format("blocks of {}", row.leaf_block),
-                                       fmt::format("{}", row.threads),
+        const bool own = !row.is_peer();
+        std::vector<std::string> cells{own && row.packet > 1 ? fmt::format("{} {}", row.tracer, row.packet)
+                                                             : row.tracer,
+                                       own ? fmt::format("{}", row.leaf_block) : "",
                                        fmt::format("{:.2f}", time.median_ms),
                                        fmt::format("{:.2f}", time.p25_ms),
                                        fmt::format("{:.2f}", time.p75_ms),
                                        fmt::format("{:.2f}", row.mrays_per_s()),
-                                       fmt::format("{}", row.hits),
                                        fmt::format("{}", row.differ),
-                                       speed(0),
-                                       speed(1)};
-        if (threads)
-            cells.push_back(row.gain ? fmt::format("{}; {} of a spin loop's", ratio_text(*row.gain),
-                                                   short_number(row.gain_of_spin->median))
-                                     : "");
+                                       speed_text(of, true),
+                                       speed_text(of, false)};
+        if (threads) {
+            cells.insert(cells.begin() + 2, fmt::format("{}", row.threads));
+            cells.push_back(gain_text(row));
+        }
         table.add_row(std::move(cells));
     }
     table.print(out, terminal_width());
@@ -110,17 +125,17 @@ void print(std::ostream& out, const PeersScene& peers, int warmup) {
         const auto row = std::ranges::find(peers.result.rows, RayType(type), &RayBenchRow::type);
         if (row == peers.result.rows.end()) continue;
         rounds = row->timed.rounds.size();
-        out << fmt::format("\n{} rays ({}), {}:\n", ray_type_names[type], row->rays,
-                           RayType(type) == RayType::shadow ? "any hit" : "nearest hit");
+        out << fmt::format("\n{} rays: {}, {}, {} hit\n", ray_type_names[type], row->rays,
+                           RayType(type) == RayType::shadow ? "any hit" : "nearest hit", row->hits);
         print_table(out, peers, RayType(type));
     }
     for (const RayBenchRow& spin : peers.result.spins)
         out << fmt::format("a spin loop gains {} from {} threads beside {} rays\n", ratio_text(*spin.gain),
                            spin.threads, ray_type_names[std::size_t(spin.type)]);
     out << fmt::format(
-        "\n{} in turn after {} warm-up. ms: median; p25 to p75: their middle half; differ: rays answered otherwise "
-        "than "
-        "by\n{}; of robust, of default: speed over the peer's with single rays, or with packets of 16.\n",
+        "\n{} in turn after {} warm-up. block: triangles that the tree was built for; ms: median; p25 to p75: their\n"
+        "middle half; differ: rays answered otherwise than by {}; of robust, of default: speed over the\n"
+        "peer's, with single rays or with packets of 16, and in brackets its 95 % interval.\n",
         counted(rounds, "round"), warmup, reference_peer);
 }
 

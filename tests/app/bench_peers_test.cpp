@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ray_bench.h"
@@ -160,6 +161,20 @@ TEST(BenchPeers, EveryContestantHasARowForEveryTypeOfRays) {
         expected[std::string("cpu-packet ") + type] = 6;
     }
     EXPECT_EQ(rows, expected);
+}
+
+TEST(BenchPeers, TablesKeepWithinAHundredLetters) {
+    if (peers_version().empty()) GTEST_SKIP() << "Embree 3 is not installed";
+    const auto outcome =
+        run_kdscope({"bench", "ball:300", "--peers", "--size", "64x64", "--rounds", "6", "--warmup", "0"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("cpu-packet 16"), std::string::npos);
+    EXPECT_NE(outcome.out.find("random rays: "), std::string::npos);
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) {
+        const auto letters = std::ranges::count_if(line, [](char c) { return (c & 0xc0) != 0x80; });
+        EXPECT_LE(letters, 102) << line;  // as far as they can: intervals of busy machines have more digits
+    }
 }
 
 TEST(BenchPeers, WhatContradictsIsRefused) {

@@ -12,8 +12,10 @@ python3 - peers.json <<'PYTHON'
 import json, sys
 rows = json.load(open(sys.argv[1]))
 own = [row for row in rows if not row["tracer"].startswith("embree")]
+# Of rays from hits some meet an edge where roundings decide: 1 of 253440 random ones here, so ten times that is too many.
 for row in own:
-    assert row["differ"] == 0, (row["tracer"], row["ray_type"], row["differ"])
+    most = 0 if row["ray_type"] == "primary" else 4e-5 * row["rays"]
+    assert row["differ"] <= most, (row["tracer"], row["ray_type"], row["differ"])
 stack = next(row for row in own if row["tracer"] == "cpu" and row["ray_type"] == "primary")
 speed = stack["speed_of"]["embree-1-robust"]["median"]
 print(f"the stack makes {speed:.3f} of embree-1-robust's speed with primary rays")
