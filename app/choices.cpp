@@ -51,7 +51,10 @@ std::vector<NamedValue<std::string>> names_of(const Table& table) {
 
 }  // namespace
 
-std::vector<NamedValue<TracerKind>> tracers() { return named({TracerKind::cpu, TracerKind::gl_fragment}); }
+std::vector<NamedValue<TracerKind>> tracers() {
+    using enum TracerKind;
+    return named({cpu, cpu_wide, cpu_packet, gl_fragment, gl_compute, gl_wavefront});
+}
 std::vector<NamedValue<LeafLists>> leaf_lists() { return named({LeafLists::references, LeafLists::duplicated}); }
 std::vector<NamedValue<NodeEncoding>> node_encodings() { return named({NodeEncoding::float4, NodeEncoding::packed}); }
 std::vector<NamedValue<int>> packet_sizes() { return {{"4", 4}, {"8", 8}, {"16", 16}}; }

@@ -45,7 +45,7 @@ template <class T>
     return found == choices.end() ? "" : found->name;
 }
 
-/// "cpu", "gl-fragment".
+/// "cpu-wide", "gl-fragment".
 [[nodiscard]] std::string_view name_of(TracerKind tracer);
 [[nodiscard]] std::string_view name_of(LeafLists lists);
 /// Bytes of a node: "16", "8".

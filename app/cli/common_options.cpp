@@ -129,6 +129,10 @@ void add_tree_options(CLI::App& app, CommonOptions& o, const ShownDefaults& defa
                    text("Empty parts of a cell from this fraction on are cut off first; 0 is never", build.empty_cut)),
         add_number(app, "--leaf-size", build.leaf_size, limits::leaf_size,
                    text("Nodes of at most N triangles become leaves", build.leaf_size)),
+        add_number(app, "--leaf-block", build.leaf_block, limits::leaf_block,
+                   text("Triangles that a tracer tests at once: t_i is paid for each so many of a leaf (8 suits "
+                        "cpu-wide)",
+                        build.leaf_block)),
         add_number(app, "--max-depth", build.max_depth, limits::depth,
                    text("Depth limit; 0 is 8 + 1.6 log2(triangles)", build.max_depth)),
         add_number(app, "--bad-refines", build.bad_refines, limits::depth,
@@ -155,7 +159,9 @@ void add_tracing_options(CLI::App& app, CommonOptions& o, const ShownDefaults& d
         add_choice(app, "--rules", o.session.trace.rules, choices::rules(),
                    "How a walk decides between children [robust]"),
         add_choice(app, "--tracer", o.tracer, choices::tracers(),
-                   text("What traces: the CPU, or GLSL fragment passes", defaults.tracer)),
+                   text("What traces: the CPU in one of three ways, or OpenGL in one of three", defaults.tracer)),
+        add_choice(app, "--packet", o.session.trace.packet_size, choices::packet_sizes(),
+                   fmt::format("Rays that cpu-packet walks together [{}]", o.session.trace.packet_size)),
         add_choice(app, "--context", o.context, contexts, text("Where OpenGL comes from", defaults.context)),
     };
     for (CLI::Option* option : all) option->group("Tracing");
@@ -216,17 +222,34 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names) {
     for (const std::string& name : names) app.get_option(name)->group("");
 }
 
-WantedMachines wanted_machines(const CommonOptions& options) {
-    WantedMachines machines{!options.tracer || *options.tracer == TracerKind::cpu, {}};
-    if (!options.tracer || *options.tracer == TracerKind::gl_fragment) {
-        machines.contexts = {ContextKind::osmesa, ContextKind::egl};
-        if (options.context) machines.contexts = {*options.context};
+std::vector<TracerKind> wanted_tracers(const CommonOptions& options) {
+    if (options.tracer) return {*options.tracer};
+    std::vector<TracerKind> all;
+    for (const NamedValue<TracerKind>& tracer : choices::tracers()) all.push_back(tracer.value);
+    return all;
+}
+
+std::vector<Traversal> wanted_walks(const CommonOptions& options, TracerKind tracer, bool naive) {
+    if (!options.traversal && tracer == TracerKind::cpu_packet) return {Traversal::stack};
+    return wanted_traversals(options, naive);
+}
+
+MachineChoice wanted_machines(const CommonOptions& options, const std::vector<TracerKind>& all) {
+    MachineChoice machines{.cpu = {}, .gl = {}, .contexts = {}, .threads = options.session.threads};
+    for (const TracerKind tracer : options.tracer ? std::vector{*options.tracer} : all) {
+        if (runs_on_cpu(tracer))
+            machines.cpu.push_back(cpu_mode(tracer));
+        else
+            machines.gl.push_back(gl_mode(tracer));
     }
+    if (machines.gl.empty()) return machines;
+    machines.contexts = {ContextKind::osmesa, ContextKind::egl};
+    if (options.context) machines.contexts = {*options.context};
     return machines;
 }
 
 void require_context(const CommonOptions& options, bool uses_all) {
-    const bool by_tracer = options.tracer == TracerKind::gl_fragment;
+    const bool by_tracer = options.tracer && !runs_on_cpu(*options.tracer);
     const bool by_context = uses_all && !options.tracer && options.context;
     if (by_tracer || by_context) (void)Context::create(options.context.value_or(ContextKind::automatic));
 }

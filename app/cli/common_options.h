@@ -9,6 +9,7 @@
 #include "app/choices.h"
 #include "app/session.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/measure/ray_machine.h"
 
 namespace CLI {
 class App;
@@ -64,12 +65,15 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
 /// The traversal asked for; all of them otherwise, the loop over all triangles among them only where `naive`.
 [[nodiscard]] std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive);
 
-/// What a command that checks every tracer is left with: the CPU, OSMesa and EGL unless one is named.
-struct WantedMachines {
-    bool cpu;
-    std::vector<ContextKind> contexts;
-};
-[[nodiscard]] WantedMachines wanted_machines(const CommonOptions& options);
+/// The tracer asked for; all of them otherwise.
+[[nodiscard]] std::vector<TracerKind> wanted_tracers(const CommonOptions& options);
+
+/// The traversals asked for, by this tracer. Where none is named, packets walk by the stack alone: other walks they
+/// leave to single rays.
+[[nodiscard]] std::vector<Traversal> wanted_walks(const CommonOptions& options, TracerKind tracer, bool naive);
+
+/// What a command that checks tracers is left with: those of `all`, on OSMesa and EGL, unless one is named.
+[[nodiscard]] MachineChoice wanted_machines(const CommonOptions& options, const std::vector<TracerKind>& all);
 
 /// The session to begin with: `options.session_for(name)`, or where `name` is a session file the one that it holds.
 /// Options given beside such a file: --size and --threads win over it, those that are `allowed` it does not choose, all

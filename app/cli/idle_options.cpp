@@ -6,6 +6,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "app/tracer_choices.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/printable.h"
 #include "renderer/kdtree/ropes.h"
@@ -23,6 +24,13 @@ std::vector<const OptionUse*> idle(const CLI::App& app, const std::vector<Option
         if (option && option->count() > 0 && !use.acts) found.push_back(&use);
     }
     return found;
+}
+
+/// Packets take a tracer and a walk.
+OptionUse packet_use(const Session& session, bool one_tracer, bool every_walk) {
+    std::string why = one_tracer ? why_idle(TracerChoice::packet, session.tracer) : "";
+    if (why.empty() && !every_walk) why = why_idle(WalkChoice::packet, session.trace);
+    return {"--packet", why.empty(), why};
 }
 
 bool is_seeded(const std::string& scene) {
@@ -82,18 +90,23 @@ std::vector<OptionUse> walk_uses(const Session& session, bool every_walk) {
 std::vector<OptionUse> shared_uses(const CommonOptions& options, const Session& session, bool all_tracers,
                                    bool random_rays, bool all_builders) {
     const bool named = options.tracer.has_value() || !all_tracers;
-    const bool gl = !named || session.tracer == TracerKind::gl_fragment;
-    const bool cpu = !named || session.tracer == TracerKind::cpu;
-    const std::string no_gl = "only the CPU traces; --tracer gl-fragment would use it";
+    const bool every_walk = all_tracers && !options.traversal;
+    // Where every tracer is run, some have a use for each choice.
+    const auto use = [&](const char* option, TracerChoice choice) {
+        const std::string why = named ? why_idle(choice, session.tracer) : "";
+        return OptionUse{option, why.empty(), why};
+    };
     std::vector<OptionUse> uses{
-        {"--context", gl, no_gl},
-        {"--early-z", gl, no_gl},
-        {"--count-shaded", gl, no_gl},
-        {"--threads", cpu, "gl-fragment traces, the CPU does not; --tracer cpu would use it"},
+        use("--context", TracerChoice::context),
+        use("--early-z", TracerChoice::early_z),
+        use("--count-shaded", TracerChoice::count_shaded),
+        use("--threads", TracerChoice::threads),
+        packet_use(session, named, every_walk),
+        use("--leaf-lists", TracerChoice::leaf_lists),
         bins_use(session, all_builders && !options.builder),
         seed_use(session.scene, random_rays),
     };
-    std::ranges::move(walk_uses(session, all_tracers && !options.traversal), std::back_inserter(uses));
+    std::ranges::move(walk_uses(session, every_walk), std::back_inserter(uses));
     return uses;
 }
 

@@ -10,11 +10,13 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
+#include "app/commands/bench_peers.h"
 #include "app/commands/commands.h"
 #include "app/frame/counted_frame.h"
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
 
@@ -26,6 +28,7 @@ struct BenchOptions : CommonOptions {
     int rounds = 15, warmup = 3;
     bool naive = false;
     bool json = false;
+    bool peers = false;
 };
 
 using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
@@ -34,8 +37,7 @@ using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
 std::vector<OpenTracer> open_tracers(const BenchOptions& options, BenchScene& bench) {
     std::vector<OpenTracer> tracers;
     const GlChoices gl{.context = options.context.value_or(ContextKind::automatic), .early_z = bench.session.early_z};
-    for (const TracerKind kind : {TracerKind::cpu, TracerKind::gl_fragment}) {
-        if (options.tracer && *options.tracer != kind) continue;
+    for (const TracerKind kind : wanted_tracers(options)) {
         try {
             tracers.emplace_back(kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, gl));
         } catch (const ContextError& error) {
@@ -54,14 +56,16 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     if (s.early_z == EarlyZ::as_published)
         bench.notes.emplace_back("gl-fragment with early z as published: it culls no pixel");
     auto tracers = open_tracers(options, bench);
-    const std::vector<Traversal> walks = wanted_traversals(options, options.naive);
+    const auto walks = [&](TracerKind kind) { return wanted_walks(options, kind, options.naive); };
+    std::size_t pairs = 0;
+    for (const auto& [kind, tracer] : tracers) pairs += walks(kind).size();
     tell_work(context,
-              fmt::format("timing {}: {} on {}, {} of each", s.scene, counted(walks.size(), "traversal"),
+              fmt::format("timing {}: {} by {}, {} of each", s.scene, counted(pairs, "walk"),
                           counted(tracers.size(), "tracer"), counted(options.warmup + options.rounds, "frame")));
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
     for (auto& [kind, tracer] : tracers)
-        for (const Traversal traversal : walks) {
+        for (const Traversal traversal : walks(kind)) {
             TraceConfig config = s.trace;
             config.traversal = traversal;
             const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));
@@ -103,7 +107,7 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
     const std::vector<TimedRounds> times =
         time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});
     for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].timed = times[i];
-    const auto gl = std::ranges::find(tracers, TracerKind::gl_fragment, &OpenTracer::first);
+    const auto gl = std::ranges::find_if(tracers, [](const OpenTracer& open) { return !runs_on_cpu(open.first); });
     bench.on = measured_on(in_scene_units(s, bench.scene), {"scene", "tracer", "traversal"},
                            gl == tracers.end() ? nullptr : gl->second.get());
 }
@@ -126,7 +130,36 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     return bench;
 }
 
+/// What rays alone have no use for.
+void note_idle_beside_peers(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    const std::string rays = "--peers times single rays, not frames";
+    for (const char* option : {"--context", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
+                               "--eye-leaf", "--entry-tile", "--force"})
+        note_idle(app, {{option, false, rays}}, context);
+    note_idle(app, {{"--packet", false, "--peers times packets of all sizes"}}, context);
+    note_idle(app, {seed_use(options.scenes.front(), true)}, context);
+}
+
+int run_peers(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    check_peers(options);
+    refuse_idle(app, {{"--naive", false, "--peers walks by the stack alone; leave one of them out"}});
+    note_idle_beside_peers(app, options, context);
+    const int threads = app.count("--threads") > 0 ? options.session.threads : 1;
+    const PeerBenchOptions how{
+        {.warmup = options.warmup, .rounds = options.rounds}, threads > 0 ? threads : default_threads(), options.json};
+    Json json = Json::array();
+    bool agree = true;
+    for (const std::string& name : options.scenes) {
+        if (!options.json && name != options.scenes.front()) context.out << '\n';
+        agree = bench_peers(options, how, name, json, context) && agree;
+        context.out.flush();
+    }
+    if (options.json) context.out << json_text(json);
+    return agree ? exit_ok : exit_check_failed;
+}
+
 int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    if (options.peers) return run_peers(app, options, context);
     refuse_idle(app,
                 {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
     require_context(options, true);
@@ -156,6 +189,9 @@ CommandBody declare(CLI::App& app) {
     add_number<int>(app, "--warmup", options->warmup, 0, 100000,
                     fmt::format("Frames of each before that [{}]", options->warmup));
     app.add_flag("--naive", options->naive, "Also the loop over all triangles: slow");
+    app.add_flag(
+        "--peers", options->peers,
+        "Times rays instead of frames, by the CPU's tracers and by Embree, on one thread unless --threads says");
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_frame_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
     add_camera_options(app, *options);
@@ -165,14 +201,15 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command bench_command() {
-    return {
-        "bench", "Times whole frames of every tracer and traversal",
-        "All traversals but naive on cpu and gl-fragment unless options name one. A frame is all its rays: primary,\n"
-        "shadow, reflection. Median and quartiles over rounds that take every contestant in turn.\n\n"
-        "Examples:\n"
-        "  kdscope bench ball:9000 scatter:10000\n"
-        "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
-        declare};
+    return {"bench", "Times whole frames of every tracer and traversal",
+            "All traversals but naive on all six tracers unless options name one. A frame is all its rays: primary,\n"
+            "shadow, reflection. Packets walk by the stack. Median and quartiles over rounds that take every "
+            "contestant in turn.\n\n"
+            "Examples:\n"
+            "  kdscope bench ball:9000 scatter:10000\n"
+            "  kdscope bench ball:9000 rooms --peers --builder exact\n"
+            "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
+            declare};
 }
 
 }  // namespace kd

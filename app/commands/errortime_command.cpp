@@ -52,9 +52,9 @@ std::set<ErrorReport> parse_reports(std::string text) {
 ErrorTimeConfig complete(const ErrorTimeOptions& options) {
     ErrorTimeConfig config = options.config;
     config.seconds = options.seconds.value_or(config.quick ? quick_seconds : config.seconds);
-    config.cpu = !options.tracer || *options.tracer == TracerKind::cpu;
-    config.gl = !options.tracer || *options.tracer == TracerKind::gl_fragment;
-    config.gl_demanded = options.tracer == TracerKind::gl_fragment || (config.gl && options.context);
+    if (options.tracer) config.tracers = {*options.tracer};
+    const bool gl = std::ranges::any_of(config.tracers, [](TracerKind tracer) { return !runs_on_cpu(tracer); });
+    config.gl_demanded = gl && (options.tracer || options.context);
     config.context = options.context.value_or(ContextKind::automatic);
     config.traversals = wanted_traversals(options, false);
     // All of them on one chart are too many to tell apart; those that the paper compares are asked about first.

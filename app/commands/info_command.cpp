@@ -15,6 +15,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/peers/peers.h"
 #include "renderer/scene/procedural.h"
 
 namespace kd {
@@ -100,6 +101,8 @@ Json collect() {
     json["scenes"] = scene_names();
     json["builders"] = names_of(builders());
     json["traversals"] = names_of(traversals());
+    json["tracers"] = names_of(choices::tracers());
+    json["peers"] = peers_version().empty() ? Json(nullptr) : Json(peers_version());
     return json;
 }
 
@@ -142,6 +145,8 @@ void print(std::ostream& out, const Json& json) {
     line("scenes", word_list(json["scenes"]));
     line("builders", word_list(json["builders"]));
     line("traversals", word_list(json["traversals"]));
+    line("tracers", word_list(json["tracers"]));
+    line("peers", word(json["peers"]));
 }
 
 CommandBody declare(CLI::App& app) {

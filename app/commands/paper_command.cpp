@@ -58,8 +58,9 @@ void print(std::ostream& out, const std::vector<PaperClaim>& claims) {
 
 int run(const CLI::App& app, const PaperOptions& options, CommandContext& context) {
     refuse_idle(app, {{"--traversal", false, "the paper's experiments name their own; leave it out"}});
-    if (options.tracer == TracerKind::gl_fragment)
+    if (options.tracer && *options.tracer != TracerKind::cpu)
         throw InputError("--tracer: the CPU's tracers are what GPURT is held against; name cpu alone, or leave it out");
+    refuse_idle(app, {{"--packet", false, "the paper's tracers walk no packets; leave it out"}});
     require_context(options, true);
     make_output_folder("--output", options.folder);
     const std::filesystem::path folder(options.folder);
@@ -94,7 +95,7 @@ CommandBody declare(CLI::App& app) {
     add_machine_options(app, *options);
     app.get_option("--threads")->description("Threads of the CPU tracers; 0 is all [1]");
     add_tracing_options(app, *options, ShownDefaults{.tracer = "all"});
-    hide_options(app, {"--traversal"});
+    hide_options(app, {"--traversal", "--packet"});
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 

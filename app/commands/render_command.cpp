@@ -159,7 +159,7 @@ void check(const RenderOptions& o, const Session& session) {
                   {{"the scene's own file", session.scene}, {"the session's own file", o.scenes.front()}});
     // A map that can be made of one pixel can be made of all.
     if (session.view.show_map) (void)compute_map(Frame(1, 1), session.view.map);
-    if (session.tracer == TracerKind::gl_fragment) (void)Context::create(o.context.value_or(ContextKind::automatic));
+    if (!runs_on_cpu(session.tracer)) (void)Context::create(o.context.value_or(ContextKind::automatic));
 }
 
 Session session_of(const CLI::App& app, const RenderOptions& o) {

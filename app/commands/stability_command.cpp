@@ -44,11 +44,9 @@ StabilityConfig config_for(const StabilityOptions& options) {
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
     config.nodes = options.nodes.value_or(NodeEncoding::float4);
     if (options.builder) config.builder = *options.builder;
-    config.threads = options.session.threads;
     config.seed = options.session.seed;
-    const WantedMachines machines = wanted_machines(options);
-    config.cpu = machines.cpu;
-    config.contexts = machines.contexts;
+    config.packet_size = options.session.trace.packet_size;
+    static_cast<MachineChoice&>(config) = wanted_machines(options, wanted_tracers(options));
     return config;
 }
 
@@ -66,9 +64,7 @@ SweepConfig sweep_config(const StabilityOptions& options) {
     config.id = canonical(options.sweep);
     if (whole.long_run) config.rays *= 10;
     config.traversals = whole.traversals;
-    config.cpu = whole.cpu;
-    config.contexts = whole.contexts;
-    config.threads = whole.threads;
+    static_cast<MachineChoice&>(config) = wanted_machines(options, {TracerKind::cpu, TracerKind::gl_fragment});
     config.seed = whole.seed;
     // One context is enough for a curve.
     if (!config.contexts.empty() && !options.context) config.contexts = {ContextKind::automatic};

@@ -123,7 +123,7 @@ CommandBody declare(CLI::App& app) {
     add_divergence_options(app, options->divergence);
     add_frame_options(app, *options);
     add_camera_options(app, *options);
-    hide_options(app, {"--tracer", "--early-z"});
+    hide_options(app, {"--tracer", "--packet", "--early-z"});
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
 }
 

@@ -53,24 +53,29 @@ Hit as_asked(const FlatScene& scene, const Ray& ray, const Hit& hit) {
     return shown;
 }
 
+using OpenTracers = std::vector<std::pair<TracerKind, std::unique_ptr<RayMachine>>>;
+
 /// The tracers asked for, with scene and tree; one that is not there is told in a line unless it was named.
-std::vector<std::unique_ptr<RayMachine>> wanted_tracers(const TraceOptions& options, const FlatScene& scene,
-                                                        const KdTree& tree, CommandContext& context) {
-    std::vector<std::unique_ptr<RayMachine>> tracers;
-    const bool all = !options.tracer;
-    if (all || *options.tracer == TracerKind::cpu) tracers.push_back(cpu_machine(options.session.threads));
-    if (!tracers.empty()) tracers.back()->load(scene, tree);
-    if (!all && *options.tracer != TracerKind::gl_fragment) return tracers;
-    try {
-        std::unique_ptr<RayMachine> gl = gl_machine(options.context.value_or(ContextKind::automatic));
-        gl->load(scene, tree);
-        tracers.push_back(std::move(gl));
-    } catch (const ContextError& error) {
-        if (!all || options.context) throw;
-        context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
-    } catch (const InputError& error) {
-        if (!all) throw;
-        context.err << "kdscope: left out gl-fragment: " << error.what() << '\n';
+OpenTracers open_tracers(const TraceOptions& options, const FlatScene& scene, const KdTree& tree,
+                         CommandContext& context) {
+    OpenTracers tracers;
+    const auto leave_out = [&](TracerKind kind, const std::exception& error) {
+        context.err << fmt::format("kdscope: left out {}: {}\n", name_of(kind), error.what());
+    };
+    for (const TracerKind kind : wanted_tracers(options)) {
+        try {
+            std::unique_ptr<RayMachine> machine =
+                runs_on_cpu(kind) ? cpu_machine(options.session.threads, cpu_mode(kind))
+                                  : gl_machine(options.context.value_or(ContextKind::automatic), gl_mode(kind));
+            machine->load(scene, tree);
+            tracers.emplace_back(kind, std::move(machine));
+        } catch (const ContextError& error) {
+            if (options.tracer || options.context) throw;
+            leave_out(kind, error);
+        } catch (const InputError& error) {
+            if (options.tracer) throw;
+            leave_out(kind, error);
+        }
     }
     return tracers;
 }
@@ -91,15 +96,15 @@ void trace_in_steps(RayMachine& tracer, const TraceConfig& config, std::span<con
 
 /// The table of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told,
 /// unless it was asked for by name.
-std::string trace_all(const TraceOptions& options, const std::vector<std::unique_ptr<RayMachine>>& tracers,
-                      TraceConfig config, const FlatScene& scene, const std::vector<Ray>& asked, TraceCheck& check,
-                      ProgressLine& progress, CommandContext& context) {
+std::string trace_all(const TraceOptions& options, const OpenTracers& tracers, TraceConfig config,
+                      const FlatScene& scene, const std::vector<Ray>& asked, TraceCheck& check, ProgressLine& progress,
+                      CommandContext& context) {
     std::string table = header();
     const std::span<const Ray> rays = check.rays();
     std::vector<Hit> hits(rays.size());
     std::vector<RayCounters> counters(rays.size());
-    for (const auto& tracer : tracers)
-        for (const Traversal traversal : wanted_traversals(options, true)) {
+    for (const auto& [kind, tracer] : tracers)
+        for (const Traversal traversal : wanted_walks(options, kind, true)) {
             config.traversal = traversal;
             try {
                 trace_in_steps(*tracer, config, rays, hits, counters, progress, context);
@@ -143,7 +148,7 @@ int run(const CLI::App& app, const TraceOptions& options, CommandContext& contex
     const FlatScene scene = open_scene(options, session);
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop, session.threads);
     check_stop(context);
-    const auto tracers = wanted_tracers(options, scene, tree, context);
+    const OpenTracers tracers = open_tracers(options, scene, tree, context);
     const auto [table, check] = [&] {
         ProgressLine progress(context);
         TraceCheck made(scene, asked, session.threads, progress, context);

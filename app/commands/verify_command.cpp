@@ -15,6 +15,7 @@
 #include "app/commands/verify_scenes.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/measure/verify.h"
 
 namespace kd {
@@ -36,13 +37,15 @@ VerifyConfig config_for(const VerifyOptions& options, const Session& session) {
     config.walk = session.trace;
     config.nodes = options.nodes;
     config.seed = session.seed;
-    config.threads = session.threads;
     if (options.builder) config.builders = {*options.builder};
     if (options.traversal) config.traversals = {std::string(info(*options.traversal).name)};
-    const WantedMachines machines = wanted_machines(options);
-    config.cpu = machines.cpu;
-    config.contexts = machines.contexts;
+    static_cast<MachineChoice&>(config) = wanted_machines(options, wanted_tracers(options));
     return config;
+}
+
+/// "cpu-packet 16".
+std::string tracer_text(const VerifyRow& row) {
+    return row.packet > 0 ? fmt::format("{} {}", row.tracer, row.packet) : row.tracer;
 }
 
 Json json_of(const VerifyReport& report) {
@@ -53,6 +56,8 @@ Json json_of(const VerifyReport& report) {
                         {"leaf_lists", row.leaf_lists},
                         {"nodes", row.node_bytes > 0 ? Json(row.node_bytes) : Json(nullptr)},
                         {"tracer", row.tracer},
+                        {"packet", row.packet > 0 ? Json(row.packet) : Json(nullptr)},
+                        {"instructions", row.context == "-" ? Json(cpu_target_name()) : Json(nullptr)},
                         {"context", row.context},
                         {"pixel_rays", row.pixel_rays},
                         {"adversarial_rays", row.adversarial_rays},
@@ -72,7 +77,8 @@ Json json_of(const VerifyReport& report) {
 
 void print(std::ostream& out, const std::string& scene, const VerifyReport& report) {
     using enum TextTable::Align;
-    out << fmt::format("{}: {}\n", scene, counted(report.triangles, "triangle"));
+    out << fmt::format("{}: {}; the CPU traces with {}\n", scene, counted(report.triangles, "triangle"),
+                       cpu_target_name());
     TextTable table({{"builder", left},
                      {"traversal", left},
                      {"leaf lists", left},
@@ -88,7 +94,7 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
                      {"verdict", left}});
     for (const VerifyRow& row : report.rows)
         table.add_row({row.builder, row.traversal, row.leaf_lists,
-                       row.node_bytes > 0 ? fmt::format("{}", row.node_bytes) : "-", row.tracer, row.context,
+                       row.node_bytes > 0 ? fmt::format("{}", row.node_bytes) : "-", tracer_text(row), row.context,
                        fmt::format("{}", row.pixel_rays), fmt::format("{}", row.adversarial_rays),
                        fmt::format("{}", row.mismatches), fmt::format("{}", row.ties),
                        row.counter_mismatches ? fmt::format("{}", *row.counter_mismatches) : "-",
@@ -101,7 +107,7 @@ void print(std::ostream& out, const std::string& scene, const VerifyReport& repo
     for (const VerifyRow& row : report.rows)
         if (!row.first_failure.empty() && told.insert(row.first_failure.substr(0, row.first_failure.find(": "))).second)
             out << fmt::format("first failure of {} {} {}, nodes of {} bytes, on {} {}: {}\n", row.builder,
-                               row.traversal, row.leaf_lists, row.node_bytes, row.tracer, row.context,
+                               row.traversal, row.leaf_lists, row.node_bytes, tracer_text(row), row.context,
                                row.first_failure);
     const auto sum = [&](auto VerifyRow::*part) {
         std::int64_t all = 0;
@@ -129,6 +135,7 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
     for (const char* option : {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
                                "--force", "--eye-leaf", "--entry-tile"})
         refuse_idle(app, {{option, options.needs, frames}});
+    refuse_idle(app, {{"--packet", options.needs, "packets of all sizes are checked; leave it out"}});
     for (const char* option : {"--early-z", "--force"})
         refuse_idle(app,
                     {{option, !options.needs, "--needs puts features back itself, and culls as usual; leave it out"}});
@@ -179,10 +186,11 @@ CommandBody declare(CLI::App& app) {
 Command verify_command() {
     return {
         "verify", "Checks every traversal, builder and tracer against brute force, bit for bit",
-        "All builders, traversals and tracers are checked unless options name one, over nodes of 16 bytes, and each\n"
-        "builder, traversal and tracer over nodes of 8. A mismatch is a hit, distance or barycentric that differs in\n"
-        "any bit; a tie is another triangle at the same distance; counters of OpenGL must equal the CPU's, and these\n"
-        "be the same over both nodes. Exit code 1 where anything differs.\n\n"
+        "All builders and traversals are checked by cpu and gl-fragment unless options name one, over nodes of 16\n"
+        "bytes, and each builder, traversal and tracer over nodes of 8; each by the other tracers, and all of them by\n"
+        "the one that --tracer names. A mismatch is a hit, distance or barycentric that differs in any bit; a tie is\n"
+        "another triangle at the same distance; counters of all tracers must equal those of cpu, and these be the\n"
+        "same over both nodes. Exit code 1 where anything differs.\n\n"
         "Examples:\n"
         "  kdscope verify ball:9000 rooms scatter:10000\n"
         "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n"

@@ -19,11 +19,9 @@ NeedsCheckConfig config_for(const CommonOptions& options, const Session& session
     config.width = session.width;
     config.height = session.height;
     config.trace = session.trace;
-    config.threads = session.threads;
     config.traversals = {session.trace.traversal};
-    const WantedMachines machines = wanted_machines(options);
-    config.cpu = machines.cpu;
-    config.contexts = machines.contexts;
+    static_cast<MachineChoice&>(config) =
+        wanted_machines(options, {TracerKind::cpu, TracerKind::gl_fragment, TracerKind::gl_compute});
     return config;
 }
 

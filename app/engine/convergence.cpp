@@ -24,6 +24,7 @@ Session picture_of(Session session) {
     session.trace.rules = Rules::robust;
     session.trace.leaf_lists = LeafLists::references;
     session.trace.step_budget = 0;
+    session.trace.packet_size = TraceConfig{}.packet_size;
     session.tracer = TracerKind::cpu;
     session.early_z = EarlyZ::working;
     session.build = {};

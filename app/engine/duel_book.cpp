@@ -25,6 +25,7 @@ void DuelBook::show(const DuelState& rounds) {
 
 void DuelBook::turn_to(Session session, int scale) {
     session.tracer = TracerKind::cpu;
+    session.trace.packet_size = TraceConfig{}.packet_size;
     session.view = {};
     Subject subject{std::move(session), scale};
     if (subject == of_) return;

@@ -16,6 +16,7 @@ Session key_of(Session session) {
     session.early_z = EarlyZ::working;
     session.threads = 0;
     session.trace.forced = {};
+    session.trace.packet_size = TraceConfig{}.packet_size;
     return session;
 }
 

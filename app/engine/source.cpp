@@ -13,9 +13,11 @@ namespace {
 
 class CpuSource final : public FrameSource {
   public:
+    explicit CpuSource(CpuMode mode) : mode_(mode) {}
+
     void prepare(const FrameTask& task, int, int) override {
         if (task.world != world_) {
-            tracer_ = std::make_unique<CpuTracer>(task.world->scene(), task.world->tree);
+            tracer_ = std::make_unique<CpuTracer>(task.world->scene(), task.world->tree, mode_);
             world_ = task.world;
         }
         tracer_->prepare(task.config);
@@ -35,6 +37,7 @@ class CpuSource final : public FrameSource {
     [[nodiscard]] std::string clock() const override { return "steady clock"; }
 
   private:
+    CpuMode mode_;
     std::shared_ptr<const World> world_;  // before the tracer that reads it
     std::unique_ptr<CpuTracer> tracer_;
 };
@@ -42,7 +45,8 @@ class CpuSource final : public FrameSource {
 /// Cuts frames into tiles small enough to stop between.
 class GlSource final : public FrameSource {
   public:
-    GlSource(Context& context, std::function<void(int)> compiling) : context_(context), tracer_(context) {
+    GlSource(Context& context, GlMode mode, std::function<void(int)> compiling)
+        : context_(context), tracer_(context, mode) {
         tracer_.tell_compiling([this, told = std::move(compiling)](int programs) {
             compiled_now_ = compiled_now_ || programs > 0;
             if (told) told(programs);
@@ -116,10 +120,10 @@ class GlSource final : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> make_cpu_source() { return std::make_unique<CpuSource>(); }
+std::unique_ptr<FrameSource> make_cpu_source(CpuMode mode) { return std::make_unique<CpuSource>(mode); }
 
-std::unique_ptr<FrameSource> make_gl_source(Context& context, std::function<void(int)> compiling) {
-    return std::make_unique<GlSource>(context, std::move(compiling));
+std::unique_ptr<FrameSource> make_gl_source(Context& context, GlMode mode, std::function<void(int)> compiling) {
+    return std::make_unique<GlSource>(context, mode, std::move(compiling));
 }
 
 }  // namespace kd

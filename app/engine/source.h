@@ -10,6 +10,7 @@
 
 #include "app/engine/world.h"
 #include "app/frame/frame_time.h"
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/trace/frame.h"
@@ -44,8 +45,9 @@ class FrameSource {
     [[nodiscard]] virtual SetupTimes setup() const { return {}; }
 };
 
-[[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source();
+[[nodiscard]] std::unique_ptr<FrameSource> make_cpu_source(CpuMode mode);
 /// `context` is current and outlives the source; `compiling` as in GlTracer::tell_compiling().
-[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context, std::function<void(int)> compiling);
+[[nodiscard]] std::unique_ptr<FrameSource> make_gl_source(Context& context, GlMode mode,
+                                                          std::function<void(int)> compiling);
 
 }  // namespace kd

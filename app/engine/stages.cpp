@@ -205,7 +205,7 @@ void Engine::start_trace() {
             if (ticket == trace_ticket_) state_.tracing = {};
             if (error.empty()) return;
             if (error != gl.unavailable || !gl.fails) say(true, error);
-            if (tracer == TracerKind::cpu || state_.session.tracer != tracer) return;
+            if (runs_on_cpu(tracer) || state_.session.tracer != tracer) return;
             Session back = state_.session;
             back.tracer = TracerKind::cpu;
             set_session(back);

@@ -29,7 +29,7 @@ const GlStatus& Tracing::open() {
         status_.renderer = context_->renderer();
         status_.version = context_->version();
         status_.software = context_->is_software();
-        gl_ = make_gl_source(*context_, compiling_);
+        gl_.front() = make_gl_source(*context_, GlMode::fragment, compiling_);
     } catch (const std::exception& error) {
         status_.unavailable = error.what();
         status_.fails = dynamic_cast<const GlError*>(&error) != nullptr;
@@ -41,7 +41,7 @@ const GlStatus& Tracing::open() {
 /// Everything that was in it goes with it. A GPU that is reset again at once is not asked a third time.
 void Tracing::replace_context(const ContextLost& lost) {
     constexpr std::chrono::seconds too_soon(10);
-    gl_.reset();
+    for (auto& machine : gl_) machine.reset();
     context_.reset();
     const auto now = std::chrono::steady_clock::now();
     const bool again = lost_at_ && now - *lost_at_ < too_soon;
@@ -59,13 +59,16 @@ void Tracing::replace_context(const ContextLost& lost) {
 }
 
 FrameSource& Tracing::source(TracerKind kind) {
-    if (kind == TracerKind::cpu) {
-        if (!cpu_) cpu_ = make_cpu_source();
-        return *cpu_;
+    if (runs_on_cpu(kind)) {
+        auto& machine = cpu_.at(std::size_t(cpu_mode(kind)));
+        if (!machine) machine = make_cpu_source(cpu_mode(kind));
+        return *machine;
     }
     if (!open().available())
         throw ContextError((status_.fails ? "" : "GPU tracing needs OpenGL 4.3: ") + status_.unavailable);
-    return *gl_;
+    auto& machine = gl_.at(std::size_t(gl_mode(kind)));
+    if (!machine) machine = make_gl_source(*context_, gl_mode(kind), compiling_);
+    return *machine;
 }
 
 void Tracing::forget_speed_of_others(const TraceRequest& request) {
@@ -123,7 +126,7 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
     const FrameTask task = task_of(request);
     const SceneNeeds needs = scene_needs(request.world->facts, request.config);
     const std::vector<std::string> omitted =
-        left_out(request.world->facts, request.config, request.tracer == TracerKind::cpu);
+        left_out(request.world->facts, request.config, runs_on_cpu(request.tracer));
 
     const int first = plan_.first(request.width, request.height);
     for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {
@@ -189,7 +192,7 @@ std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int ro
         progress(done);
         return !stop.stop_requested();
     };
-    const bool on_cpu = request.tracer == TracerKind::cpu;
+    const bool on_cpu = runs_on_cpu(request.tracer);
     const std::vector<Feature> all = timed_features(request.world->facts, request.config, on_cpu);
     std::vector<FeatureTime> times = time_features(all, frame, rounds, go_on);
     if (stop.stop_requested()) return {};
@@ -221,17 +224,19 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
         return machine.trace(task, *scratch, stop, {});
     };
     const auto by_cpu = [&] {
-        const FrameTime cpu = time(source(TracerKind::cpu));
+        FrameSource& machine = source(TracerKind::cpu);
+        const FrameTime cpu = time(machine);
         reply.round.cpu = cpu.sample();
-        reply.cpu_clock = cpu_->clock();
+        reply.cpu_clock = machine.clock();
         return cpu.complete;
     };
     const auto by_gl = [&] {
         if (!open().available()) return true;
-        const FrameTime gl = time(source(TracerKind::gl_fragment));
+        FrameSource& machine = source(TracerKind::gl_fragment);
+        const FrameTime gl = time(machine);
         reply.round.gl = gl.sample();
-        reply.gl_clock = gl_->clock();
-        reply.gl_setup = gl_->setup();
+        reply.gl_clock = machine.clock();
+        reply.gl_setup = machine.setup();
         return gl.complete;
     };
     if (!take_turns(2, duel_rounds_, [&](std::size_t machine) { return machine == 0 ? by_cpu() : by_gl(); }))

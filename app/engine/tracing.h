@@ -1,6 +1,7 @@
 // The tracing thread's work: pictures from coarse to fine, and the rounds of CPU against GPU.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -76,7 +77,7 @@ class Tracing {
     GlStatus status_;
     std::optional<std::chrono::steady_clock::time_point> lost_at_;  // when a context was lost last
     std::unique_ptr<Context> context_;                              // before the source that lives in it
-    std::unique_ptr<FrameSource> cpu_, gl_;
+    std::array<std::unique_ptr<FrameSource>, 3> cpu_, gl_;          // by CpuMode and GlMode, made when first asked for
     FramePool frames_;
     LevelPlan plan_;
     TraceRequest planned_for_;

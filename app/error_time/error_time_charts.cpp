@@ -63,7 +63,7 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
         drawn_curve.name = fmt::format("{}, {}", name_of(curve.sampler), by_machine ? curve.machine : curve.traversal);
         drawn_curve.ink = ink_of(curve.sampler);
         drawn_curve.stroke = stroke_of(curve.traversal);
-        drawn_curve.marker = marker_of_machine(curve.machine == name_of(TracerKind::cpu));
+        drawn_curve.marker = marker_of_machine(curve.machine.starts_with(name_of(TracerKind::cpu)));
         for (const ImagePoint& point : curve.points) drawn_curve.points.push_back(point_of(curve, point, measure));
         chart.curves.push_back(std::move(drawn_curve));
     }

@@ -37,16 +37,16 @@ struct Machines {
     std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> all;
 
     Machines(const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result) {
-        if (config.cpu) add(TracerKind::cpu, config, opened, tree);
-        if (!config.gl) return;
-        try {
-            add(TracerKind::gl_fragment, config, opened, tree);
-        } catch (const ContextError& error) {
-            if (config.gl_demanded) throw;
-            result.left_out.push_back({ErrorReport::p1, fmt::format("gl-fragment: {}", error.what())});
-        } catch (const InputError& error) {
-            if (config.gl_demanded) throw;
-            result.left_out.push_back({ErrorReport::p1, fmt::format("gl-fragment: {}", error.what())});
+        for (const TracerKind kind : config.tracers) {
+            try {
+                add(kind, config, opened, tree);
+            } catch (const ContextError& error) {
+                if (config.gl_demanded) throw;
+                result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), error.what())});
+            } catch (const InputError& error) {
+                if (config.gl_demanded) throw;
+                result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), error.what())});
+            }
         }
     }
 
@@ -144,7 +144,7 @@ class Run {
         for (auto& [kind, tracer] : machines.all) {
             for (ImageMethod& method : task.methods)
                 if (method.machine == name_of(kind)) method.clock = tracer->clock();
-            if (kind == TracerKind::gl_fragment) note_gl(*tracer);
+            if (!runs_on_cpu(kind)) note_gl(*tracer);
         }
         check();
         const auto told = [&](float done, const std::string& what) {

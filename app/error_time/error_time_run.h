@@ -26,8 +26,8 @@ struct ErrorTimeConfig {
     std::set<ErrorReport> reports{ErrorReport::p1, ErrorReport::p2, ErrorReport::p3, ErrorReport::p4};
     double seconds = 360;  // to aim at, for all reports of all scenes
     bool quick = false;
-    bool cpu = true, gl = true;
-    bool gl_demanded = false;  // then its absence is an error
+    std::vector<TracerKind> tracers{TracerKind::cpu, TracerKind::gl_fragment};  // of P1
+    bool gl_demanded = false;                                                   // then its absence is an error
     ContextKind context = ContextKind::automatic;
     std::vector<Traversal> traversals;  // of P1
 

@@ -16,7 +16,8 @@ namespace {
 
 class CpuFrameTracer final : public FrameTracer {
   public:
-    CpuFrameTracer(const FlatScene& scene, const KdTree& tree, int threads) : tracer_(scene, tree), threads_(threads) {}
+    CpuFrameTracer(const FlatScene& scene, const KdTree& tree, CpuMode mode, int threads)
+        : tracer_(scene, tree, mode), threads_(threads) {}
 
     void prepare(const TraceConfig& config, int width, int height) override {
         tracer_.prepare(config);
@@ -44,9 +45,9 @@ class CpuFrameTracer final : public FrameTracer {
 
 class GlFrameTracer final : public FrameTracer {
   public:
-    GlFrameTracer(const FlatScene& scene, const KdTree& tree, const GlChoices& choices)
+    GlFrameTracer(const FlatScene& scene, const KdTree& tree, GlMode mode, const GlChoices& choices)
         : choices_(choices), context_(Context::create(choices.context)),
-          tracer_(std::make_unique<GlTracer>(*context_)) {
+          tracer_(std::make_unique<GlTracer>(*context_, mode)) {
         setup_.upload_ms = wall_ms([&] {
             tracer_->upload(scene, tree);
             context_->gl().Finish();
@@ -111,8 +112,8 @@ class GlFrameTracer final : public FrameTracer {
 
 std::unique_ptr<FrameTracer> make_frame_tracer(TracerKind kind, const FlatScene& scene, const KdTree& tree, int threads,
                                                const GlChoices& gl) {
-    if (kind == TracerKind::cpu) return std::make_unique<CpuFrameTracer>(scene, tree, threads);
-    return std::make_unique<GlFrameTracer>(scene, tree, gl);
+    if (runs_on_cpu(kind)) return std::make_unique<CpuFrameTracer>(scene, tree, cpu_mode(kind), threads);
+    return std::make_unique<GlFrameTracer>(scene, tree, gl_mode(kind), gl);
 }
 
 }  // namespace kd

@@ -32,7 +32,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     note_idle_eye(s, r.tree, r.scene.camera.eye, context);
     r.stats = tree_stats(r.tree, r.scene.triangles.size(), s.build);
     r.facts = scene_facts(r.scene, r.tree);
-    r.left_out = left_out(r.facts, s.trace, s.tracer == TracerKind::cpu);
+    r.left_out = left_out(r.facts, s.trace, runs_on_cpu(s.tracer));
     for (const FeatureInfo& feature : features())
         if (const FeatureNeed need = feature.need(r.facts, s.trace); s.trace.forced.has(feature.id) && !need.can_return)
             context.err << fmt::format("kdscope: note: --force {} has no effect: {}\n", feature.name, need.why);
@@ -46,7 +46,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     r.renderer = tracer->renderer();
     r.clock = tracer->clock();
     r.software_gl = tracer->software_gl();
-    r.on = measured_on(s.threads, s.seed, s.tracer == TracerKind::cpu ? nullptr : tracer.get());
+    r.on = measured_on(s.threads, s.seed, runs_on_cpu(s.tracer) ? nullptr : tracer.get());
     if (needs_oracle(s.view)) {
         const DoubleOracle oracle(r.scene);
         r.judged = judge_frame(oracle, {r.frame, camera, s.view.map.rays, 1, s.threads}, context.stop,

@@ -241,9 +241,16 @@ void switch_camera_style(Edit& edit) {
     edit.window.camera_style = orbits ? CameraStyle::fly : CameraStyle::orbit;
 }
 
+void choose_tracer(Edit& edit, TracerKind tracer) {
+    for (const TracerKind seen : {edit.session.tracer, tracer})
+        (runs_on_cpu(seen) ? edit.window.cpu_tracer : edit.window.gpu_tracer) = seen;
+    edit.session.tracer = tracer;
+}
+
 void switch_tracer(const EngineState& state, Edit& edit) {
-    if (!state.gl.available()) return;
-    edit.session.tracer = edit.session.tracer == TracerKind::cpu ? TracerKind::gl_fragment : TracerKind::cpu;
+    const bool to_gpu = runs_on_cpu(edit.session.tracer);
+    if (to_gpu && !state.gl.available()) return;
+    choose_tracer(edit, to_gpu ? edit.window.gpu_tracer : edit.window.cpu_tracer);
 }
 
 void pin(Edit& edit) {

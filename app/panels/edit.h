@@ -71,6 +71,7 @@ struct WindowSettings {
     std::vector<std::vector<HandSplit>> planes_before;  // changes of planes by hand, newest last: what each replaced
     std::optional<Session> other;  // of two configurations the one that is not shown; none before there are two
     bool shows_b = false;          // the second of the two, the first is A
+    TracerKind cpu_tracer = TracerKind::cpu, gpu_tracer = TracerKind::gl_fragment;  // chosen last, of each machine
     CameraStyle camera_style = CameraStyle::orbit;
     std::string heatmap = "nodes";          // the map that Heat goes back to from Divergence
     bool beauty = false;                    // was shown before Divergence
@@ -192,6 +193,8 @@ void lock_range(const EngineState& state, Edit& edit, bool lock);
 /// Twice (+1) or half (-1) as fast through the scene.
 void change_fly_speed(Edit& edit, int steps);
 void switch_camera_style(Edit& edit);
+/// It is what V comes back to from the other machine.
+void choose_tracer(Edit& edit, TracerKind tracer);
 void switch_tracer(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);

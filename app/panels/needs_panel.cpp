@@ -117,7 +117,7 @@ void draw_measuring(const EngineState& state, bool outdated, Edit& edit) {
 
 void draw_summary(const EngineState& state, const std::vector<NeedRow>& rows, bool outdated, Edit& edit) {
     const auto count = [&](auto holds) { return std::ranges::count_if(rows, holds); };
-    const bool cpu = edit.session.tracer == TracerKind::cpu;
+    const bool cpu = runs_on_cpu(edit.session.tracer);
     widgets::value("traced on", cpu ? "CPU" : "GPU", "What can be left out depends on the machine. Key V.");
     widgets::value("needed", fmt::format("{}", count([](const NeedRow& r) { return r.need.needed && !r.gpu_only; })));
     const auto out = count([](const NeedRow& r) { return !r.in_use && !r.gpu_only; });

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/choices.h"
 #include "app/panels/applies.h"
 #include "app/panels/panel.h"
+#include "app/tracer_choices.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
 #include "renderer/kdtree/ropes.h"
@@ -61,27 +63,49 @@ std::string no_gpu(const EngineState& state) {
     return state.gl.known && !state.gl.available() ? "\n\nNo GPU tracing here: " + state.gl.unavailable : "";
 }
 
-void draw_tracer(const EngineState& state, Edit& edit) {
-    const std::string why = no_gpu(state);
-    int index = int(edit.session.tracer);
-    ImGui::BeginDisabled(!why.empty());
-    if (widgets::choice("tracer", index,
-                        {{"CPU", "The shared text as C++, on all cores."},
-                         {"GPU, GLSL passes",
-                          "The same text as GLSL: RTPrim, ShadePrim, RTRefl and ShadeRefl draw one quad each, with the "
-                          "tree in textures."}},
-                        "Which machine makes the picture. Key V. Option --tracer." + why))
-        edit.session.tracer = TracerKind(index);
+void draw_packet_size(TraceConfig& trace) {
+    const std::string idle = why_idle(WalkChoice::packet, trace);
+    std::string size = name_among(choices::packet_sizes(), trace.packet_size);
+    ImGui::BeginDisabled(!idle.empty());
+    if (widgets::choice("packet", size,
+                        {{"4", "A tile of 2 x 2 pixels."}, {"8", "A tile of 4 x 2."}, {"16", "A tile of 4 x 4."}},
+                        widgets::tip_of("Rays that walk together while they agree (Wald et al. 2001). More share more "
+                                        "fetches, and part sooner. Option --packet.",
+                                        idle)))
+        trace.packet_size = chosen(choices::packet_sizes(), size, "packet");
     ImGui::EndDisabled();
 }
 
-void draw_leaf_lists(TraceConfig& trace) {
+void draw_tracer(const EngineState& state, Edit& edit) {
+    const std::string why = state.gl.known && !state.gl.available() ? state.gl.unavailable : "";
+    const bool robust = rules_in_force(edit.session.trace) == Rules::robust;
+    const auto why_missing = [&](TracerKind tracer) -> std::string {
+        if (runs_on_cpu(tracer)) return "";
+        return why.empty() && tracer == TracerKind::gl_wavefront && !robust ? "it walks by robust rules alone" : why;
+    };
+    std::vector<widgets::Option> options;
+    for (const NamedValue<TracerKind>& tracer : choices::tracers())
+        options.push_back({tracer.name, summary_of(tracer.value), {}, why_missing(tracer.value)});
+    int index = int(edit.session.tracer);
+    if (widgets::choice("tracer", index, options,
+                        "What makes the picture. Maps are the same by all of them, times are not. Key V: the other "
+                        "machine. Option --tracer." +
+                            no_gpu(state)))
+        edits::choose_tracer(edit, TracerKind(index));
+    if (edit.session.tracer == TracerKind::cpu_packet) draw_packet_size(edit.session.trace);
+}
+
+void draw_leaf_lists(Edit& edit) {
+    TraceConfig& trace = edit.session.trace;
+    const std::string idle = why_idle(TracerChoice::leaf_lists, edit.session.tracer);
     int index = int(trace.leaf_lists);
+    ImGui::BeginDisabled(!idle.empty());
     if (widgets::choice("leaf lists", index,
                         {{"references", "Leaves hold triangle numbers: small, one step further to the vertices."},
                          {"copies", "Leaves hold the vertices themselves: large, and what the paper stores."}},
-                        "Where leaves keep their triangles. Option --leaf-lists."))
+                        widgets::tip_of("Where leaves keep their triangles. Option --leaf-lists.", idle)))
         trace.leaf_lists = LeafLists(index);
+    ImGui::EndDisabled();
 }
 
 void draw_nodes(TraceConfig& trace) {
@@ -100,23 +124,28 @@ void draw_nodes(TraceConfig& trace) {
 }
 
 void draw_early_z(Edit& edit) {
-    const bool gpu = edit.session.tracer == TracerKind::gl_fragment;
+    const std::string idle = why_idle(TracerChoice::early_z, edit.session.tracer);
     int index = int(edit.session.early_z);
-    ImGui::BeginDisabled(!gpu);
+    ImGui::BeginDisabled(!idle.empty());
     if (widgets::choice(
             "early z", index,
             {{"working", "RTPrim leaves 1 for a miss, 0.25 for a hit and 0 for a reflective hit; later quads lie "
                          "between, so pixels that they need not shade are culled before their shader runs."},
              {"as published", "The paper's text: 0 for a hit, 1 for a miss, later quads at 0 with LESS OR EQUAL. Every "
                               "pixel passes that test, so nothing is culled; the picture is the same."}},
-            gpu ? "How the GPU skips pixels that a pass need not shade: compare the numbers below. Option --early-z."
-                : "How the GPU skips pixels that a pass need not shade. The CPU traces now: V changes to the GPU."))
+            widgets::tip_of("How the GPU skips pixels that a pass need not shade: compare the numbers below. Option "
+                            "--early-z.",
+                            idle)))
         edit.session.early_z = EarlyZ(index);
     ImGui::EndDisabled();
 }
 
-void draw_rules(TraceConfig& trace) {
-    static const std::vector<widgets::Option> options = widgets::options_of(all_rules());
+void draw_rules(Edit& edit) {
+    TraceConfig& trace = edit.session.trace;
+    std::vector<widgets::Option> options = widgets::options_of(all_rules());
+    for (std::size_t i = 0; i < options.size(); ++i)
+        if (edit.session.tracer == TracerKind::gl_wavefront && Rules(i) != Rules::robust)
+            options[i].missing = "gl-wavefront walks by robust rules alone";
     int index = int(trace.rules);
     if (widgets::choice("rules", index, options,
                         widgets::tip_of("How a walk decides between children and goes on. Published rules lose rays "
@@ -186,7 +215,7 @@ void draw_passes_run(const TracedFrame& traced) {
     name(needs.textures, "textures");
     name(needs.normals, "normals");
     name(needs.shadows, "shadow rays");
-    const bool cpu = traced.tracer == TracerKind::cpu;
+    const bool cpu = runs_on_cpu(traced.tracer);
     std::string why = fmt::format(
         "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects.\n\nFeatures that "
         "the {} does without for this scene and these settings: {}{}.",
@@ -207,11 +236,11 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     if (state.picture) draw_passes_run(state.picture->traced);
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
     draw_least_contribution(state, trace);
-    draw_leaf_lists(trace);
+    draw_leaf_lists(edit);
     draw_nodes(trace);
     draw_early_z(edit);
-    draw_rules(trace);
-    if (state.picture && state.picture->traced.tracer == TracerKind::gl_fragment) draw_shaded(state, *state.picture);
+    draw_rules(edit);
+    if (state.picture && !runs_on_cpu(state.picture->traced.tracer)) draw_shaded(state, *state.picture);
 }
 
 }  // namespace kd

@@ -1,6 +1,7 @@
 // TREE: which builder, its constants, and what came out. Every change rebuilds at once, in the background.
 #include <fmt/format.h>
 
+#include "app/limits.h"
 #include "app/panels/panel.h"
 #include "app/window/theme.h"
 #include "app/window/widgets.h"
@@ -59,6 +60,9 @@ void draw_hands(const EngineState& state, Edit& edit) {
 void draw_more_constants(const EngineState& state, Edit& edit) {
     BuildConfig& b = edit.session.build;
     if (!widgets::fold("more constants", false)) return;
+    widgets::slider("leaf block", b.leaf_block, limits::leaf_block.low, limits::leaf_block.high, "%d",
+                    "Triangles that a tracer tests at once: t_i is paid for each so many of a leaf. 8 suits the "
+                    "tracers cpu-wide and cpu-packet: fewer nodes and larger leaves. Option --leaf-block.");
     widgets::slider("bonus gate", b.empty_bonus_gate, 0, 1, "%.2f",
                     "The bonus counts only where the empty child takes at least this share of the node. Near 0, the "
                     "paper's rule, slices pile up along surfaces and the map of nodes glows there. Option "

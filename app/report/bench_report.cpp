@@ -99,9 +99,13 @@ Json bench_json(const BenchScene& bench, const BenchRow& row) {
     const TimeSummary time = row.timed.total();
     return {{"scene", bench.session.scene},
             {"tracer", name_of(row.tracer)},
+            {"ray_type", "frame"},
+            {"packet", row.tracer == TracerKind::cpu_packet ? Json(bench.session.trace.packet_size) : Json(nullptr)},
+            {"instructions", runs_on_cpu(row.tracer) ? Json(bench.on.instructions) : Json(nullptr)},
             {"traversal", info(row.traversal).name},
             {"nodes", bytes_of(row.nodes)},
             {"builder", bench.session.build.builder},
+            {"leaf_block", bench.session.build.leaf_block},
             {"width", bench.session.width},
             {"height", bench.session.height},
             {"rays", bench.ray_sum()},

@@ -17,7 +17,7 @@ namespace {
 void give_look(const ConvergenceCurve& of, ChartCurve& curve, const std::vector<ChartCurve>& before) {
     curve.ink = ink_of(of.sampler);
     curve.stroke = stroke_of(of.session.trace.traversal);
-    curve.marker = marker_of_machine(of.session.tracer == TracerKind::cpu);
+    curve.marker = marker_of_machine(runs_on_cpu(of.session.tracer));
     const auto looks_like = [&](const ChartCurve& other) {
         return other.ink == curve.ink && other.stroke == curve.stroke && other.marker == curve.marker;
     };

@@ -5,6 +5,7 @@
 #include <version.h>
 
 #include "app/report/json_values.h"
+#include "app/tracer_choices.h"
 #include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
 
@@ -21,14 +22,15 @@ std::string changed(const char* name, const Value& value, const Value& otherwise
 std::string tree_text(const BuildConfig& b) {
     const BuildConfig start;
     const Builder* builder = find_builder(b.builder);
-    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{}{})", b.builder, b.traversal_cost,
+    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{}{}{})", b.builder, b.traversal_cost,
                        b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
                        builder && builder->has_bins ? fmt::format(", {} bins", b.bins) : "",
                        b.trim_leaves ? "" : ", box leaves", changed("max depth", b.max_depth, start.max_depth),
                        changed("empty parts cut off from", b.empty_cut, start.empty_cut),
                        changed("bad refines", b.bad_refines, start.bad_refines),
                        changed("reference cap", b.reference_cap, start.reference_cap),
-                       changed("planes by hand", b.by_hand.size(), start.by_hand.size()));
+                       changed("planes by hand", b.by_hand.size(), start.by_hand.size()),
+                       changed("leaf blocks of", b.leaf_block, start.leaf_block));
 }
 
 std::string camera_words(const Camera& c) {
@@ -47,8 +49,9 @@ std::string differences(const FigureFacts& f) {
            (f.camera ? camera_words(*f.camera) : "");
 }
 
-const char* leaf_lists_text(LeafLists lists) {
-    return lists == LeafLists::references ? "leaf lists of references" : "leaf lists of copies";
+std::string leaf_lists_text(const FigureFacts& f) {
+    if (!why_idle(TracerChoice::leaf_lists, f.tracer).empty()) return "leaves in blocks";
+    return f.trace.leaf_lists == LeafLists::references ? "leaf lists of references" : "leaf lists of copies";
 }
 
 /// What differs from the paper's layout.
@@ -58,7 +61,9 @@ std::string nodes_text(const TraceConfig& trace) {
 }
 
 std::string tracer_text(const FigureFacts& f) {
-    return fmt::format("{} on {}{}", name_of(f.tracer), f.renderer, f.software_gl ? " (software, not a GPU)" : "");
+    const bool packets = f.tracer == TracerKind::cpu_packet && why_idle(WalkChoice::packet, f.trace).empty();
+    return fmt::format("{}{} on {}{}", name_of(f.tracer), packets ? fmt::format(" of {}", f.trace.packet_size) : "",
+                       f.renderer, f.software_gl ? " (software, not a GPU)" : "");
 }
 
 std::string time_text(const FigureFacts& f) {
@@ -96,8 +101,8 @@ std::string caption_of(const FigureFacts& f) {
     return fmt::format(
         "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
         f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build), walk_text(f.trace),
-        info(rules_in_force(f.trace)).name, leaf_lists_text(f.trace.leaf_lists), nodes_text(f.trace), differences(f),
-        tracer_text(f), f.width, f.height, time_text(f), build::version);
+        info(rules_in_force(f.trace)).name, leaf_lists_text(f), nodes_text(f.trace), differences(f), tracer_text(f),
+        f.width, f.height, time_text(f), build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

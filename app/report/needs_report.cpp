@@ -17,7 +17,7 @@ namespace {
 std::vector<FeatureTime> time_left_out(const Rendering& r, const GlChoices& gl, int rounds, CommandContext& context,
                                        NeedsReport& report) {
     const Session& s = r.session;
-    const std::vector<Feature> features = timed_features(r.facts, s.trace, s.tracer == TracerKind::cpu);
+    const std::vector<Feature> features = timed_features(r.facts, s.trace, runs_on_cpu(s.tracer));
     const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
     TraceConfig config = s.trace;
@@ -54,7 +54,7 @@ std::string_view NeedRow::state() const {
 
 std::vector<NeedRow> need_rows(const FlatScene& scene, const KdTree& tree, const SceneFacts& facts,
                                const Session& session, const std::vector<FeatureTime>& times) {
-    const bool gl = session.tracer == TracerKind::gl_fragment;
+    const bool gl = !runs_on_cpu(session.tracer);
     const SceneNeeds needs = scene_needs(facts, session.trace);
     std::vector<NeedRow> rows;
     for (const FeatureInfo& feature : features()) {

@@ -7,6 +7,7 @@
 
 #include "app/cli/counted.h"
 #include "app/cli/text_table.h"
+#include "renderer/cpu/cpu_tracer.h"
 
 namespace kd {
 
@@ -70,8 +71,8 @@ void print_summary(std::ostream& out, const StabilityReport& report) {
     double rows = 0;
     for (const StabilityRow& row : report.rows) rows += row.seconds;
     out << fmt::format("{:.2f} s in the rows above; {:.2f} s before them in building trees and in the oracles (brute "
-                       "force over all triangles)\n",
-                       rows, report.preparing_seconds);
+                       "force over all triangles); the CPU traces with {}\n",
+                       rows, report.preparing_seconds, cpu_target_name());
     out << fmt::format("{}, {}, {} failed: {}\n", counted(report.cases_run, "case"), counted(report.rows.size(), "row"),
                        failures, report.passed() ? "passed" : "failed");
 }

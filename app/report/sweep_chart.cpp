@@ -23,7 +23,7 @@ ChartAxis parameter_axis(const SweepReport& report) {
 }
 
 Ink ink_of(const SweepMethod& method) {
-    return method.tracer == "double" ? Ink::reference : method.tracer == "cpu" ? Ink::cpu : Ink::gpu;
+    return method.tracer == "double" ? Ink::reference : method.tracer.starts_with("cpu") ? Ink::cpu : Ink::gpu;
 }
 
 Stroke stroke_of(const SweepMethod& method) {

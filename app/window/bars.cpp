@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/assets.h"
+#include "app/choices.h"
 #include "app/panels/panel.h"
 #include "app/report/machine_info.h"
 #include "app/window/places.h"
@@ -102,16 +103,18 @@ std::string machines_text(const EngineState& state) {
                             : state.gl.available() ? state.gl.renderer + ", OpenGL " + state.gl.version
                                                    : "none: " + state.gl.unavailable;
     return fmt::format("The picture is traced on the {}. Click or V: the other machine.\n\nCPU: {}\nGPU: {}",
-                       state.session.tracer == TracerKind::cpu ? "CPU" : "GPU", cpu_renderer(state.session.threads),
-                       gpu);
+                       runs_on_cpu(state.session.tracer) ? "CPU" : "GPU", cpu_renderer(state.session.threads), gpu);
 }
 
 /// "CPU · stack" or "GPU · restart · as-published", with a dot in the machine's accent.
 void draw_badge(const EngineState& state, Edit& edit) {
-    const bool cpu = state.session.tracer == TracerKind::cpu;
+    const bool cpu = runs_on_cpu(state.session.tracer);
     const TraceConfig& trace = state.session.trace;
     const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
-    std::string what = fmt::format("{} · {}", machine, info(trace.traversal).name);
+    const TracerKind tracer = state.session.tracer;
+    const bool usual = tracer == TracerKind::cpu || tracer == TracerKind::gl_fragment;
+    std::string what = fmt::format("{}{} · {}", machine, usual ? "" : fmt::format(" · {}", name_of(tracer)),
+                                   info(trace.traversal).name);
     if (const Rules rules = rules_in_force(trace); rules != Rules::robust)
         what += fmt::format(" · {}", info(rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool on_cpu(const EngineState& state) { return state.picture->traced.tracer == TracerKind::cpu; }
+bool on_cpu(const EngineState& state) { return runs_on_cpu(state.picture->traced.tracer); }
 
 std::string renderer_of(const EngineState& state) {
     return on_cpu(state) ? cpu_renderer(state.session.threads) : state.gl.renderer;

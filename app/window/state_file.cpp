@@ -1,5 +1,6 @@
 #include "app/window/state_file.h"
 
+#include "app/choices.h"
 #include "app/report/json_values.h"
 #include "app/report/sweep_chart.h"
 #include "app/window/exporting.h"
@@ -211,7 +212,10 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
     Json json = summary_json(state, {});
     json["generation"] = state.generation;
     const TracedFrame& traced = state.picture->traced;
-    json["frame"] = {{"width", traced.frame->width}, {"height", traced.frame->height}, {"scale", traced.scale}};
+    json["frame"] = {{"width", traced.frame->width},
+                     {"height", traced.frame->height},
+                     {"scale", traced.scale},
+                     {"tracer", name_of(traced.tracer)}};
     json["gpu"] = {{"renderer", state.gl.renderer}, {"unavailable", state.gl.unavailable}};
     json["duel"] = {{"rounds", state.duel.rounds.size()},
                     {"width", state.duel.width},

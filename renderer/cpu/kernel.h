@@ -47,13 +47,15 @@ class Kernel {
     int pending_before = 0;
     Observer* observer;
 
-    // Observer.
+    // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
+#ifndef KD_NO_OBSERVER
     KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
     KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_push(int depth) { observer->on_push(pending_before + depth); }
     KD_FN void on_restart() { observer->on_restart(); }
     KD_FN void on_backtrack() { observer->on_backtrack(); }
     KD_FN void on_exit(int reason) { observer->on_exit(reason); }
+#endif
 
     // Tree.
     KD_FN int fetch_reference(int slot) const { return references[slot]; }

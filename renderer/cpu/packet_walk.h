@@ -41,6 +41,7 @@ class PacketWalk {
     struct Pending {
         alignas(64) Row begin, end;
         int node;
+        unsigned pushed;  // lanes that went near first, where counted: to the others it is their only child
     };
 
     Kernel& kernel_;
@@ -76,8 +77,10 @@ class PacketWalk {
             horizon_[i] = (together >> i & 1u) != 0 ? 0.0f : -1.0f;
         }
         const Mask walking = L::all(0.0f) <= L::load(horizon_);
-        begin = L::load(batch_.begin);
-        end = choose(walking, L::load(batch_.end), L::all(-1.0f));
+        // Far beyond any t: rays from afar are walked from near the scene, so that theirs may be negative, or infinite
+        // where they run beside the bounds.
+        begin = choose(walking, L::load(batch_.begin), L::all(KD_T_LIMIT));
+        end = choose(walking, L::load(batch_.end), L::all(-KD_T_LIMIT));
         L::load(batch_.t_max).store(t_);
         L::all(KD_T_LIMIT).store(horizon_);
         L::all(0.0f).store(u_);
@@ -101,6 +104,7 @@ class PacketWalk {
             if (!no_near && !no_far) {
                 observe(near & far, [&](int lane) { observers_[lane].on_push(++depth_[lane]); });
                 Pending& next = stack_[pending_++];
+                if constexpr (counting) next.pushed = (near & far).bits();
                 far_begin.store(next.begin);
                 end.store(next.end);
                 next.node = kernel_.child_of(node, n, !upwards_[axis]);
@@ -167,7 +171,7 @@ class PacketWalk {
         edge_c.store(nearer, v_);
         determinant.store(nearer, determinant_);
         nearer.put(triangle, triangle_);
-        (any_hit_ ? L::all(-1.0f) : t * L::all(1.0f + KD_T_PADDING)).store(nearer, horizon_);
+        (any_hit_ ? L::all(-KD_T_LIMIT) : t * L::all(1.0f + KD_T_PADDING)).store(nearer, horizon_);
     }
 
     [[nodiscard]] Hit hit_of(int lane) const {
@@ -181,7 +185,7 @@ class PacketWalk {
         u_[lane] = hit.u;
         v_[lane] = hit.v;
         determinant_[lane] = 1.0f;
-        if (hit.triangle >= 0) horizon_[lane] = any_hit_ ? -1.0f : hit.t * (1.0f + KD_T_PADDING);
+        if (hit.triangle >= 0) horizon_[lane] = any_hit_ ? -KD_T_LIMIT : hit.t * (1.0f + KD_T_PADDING);
     }
 
     /// A lane whose edge functions or determinant the shared text looks at more closely.
@@ -201,7 +205,8 @@ class PacketWalk {
             begin = L::load(next.begin);
             end = L::load(next.end);
             const Mask waiting = begin <= end;
-            observe(waiting, [&](int lane) { --depth_[lane]; });
+            if constexpr (counting)
+                for (unsigned left = next.pushed; left != 0; left &= left - 1) --depth_[std::countr_zero(left)];
             const Mask walking = waiting - (L::load(horizon_) < begin);
             if (walking.none()) continue;
             if (const unsigned lanes = walking.bits(); std::popcount(lanes) <= fewest) {
@@ -209,7 +214,7 @@ class PacketWalk {
                 continue;
             }
             node = next.node;
-            end = choose(walking, end, L::all(-1.0f));
+            end = choose(walking, end, L::all(-KD_T_LIMIT));
             return true;
         }
         return false;

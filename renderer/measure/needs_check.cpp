@@ -38,8 +38,7 @@ class Check {
           stop_(std::move(stop)) {}
 
     NeedsCheckReport run() {
-        std::vector<std::unique_ptr<RayMachine>> machines = gl_machines(config_.contexts, "checked", report_.notes);
-        if (config_.cpu) machines.insert(machines.begin(), cpu_machine(config_.threads));
+        const auto machines = open_machines(config_, "checked", report_.notes);
         parts_ = machines.size() * config_.traversals.size();
         for (const auto& machine : machines)
             for (const Traversal traversal : config_.traversals) {
@@ -65,7 +64,7 @@ class Check {
         try {
             machine.load(scene_, tree_);
             const Frame without = frame({});
-            const std::vector<Trial> list = trials(facts_, trace, machine.context() == "-");
+            const std::vector<Trial> list = trials(facts_, trace, machine.on_cpu());
             for (std::size_t i = 0; i < list.size() && !stop_.stop_requested(); ++i) {
                 tell(float(i) / float(list.size()), fmt::format("{} on {}, {}", walk, machine.tracer(), list[i].name));
                 NeedsCheckRow row = compare_frames(without, frame(list[i].forced));

@@ -14,12 +14,9 @@
 
 namespace kd {
 
-struct NeedsCheckConfig {
+struct NeedsCheckConfig : MachineChoice {
     int width = 512, height = 512;
     TraceConfig trace;  // without its forced features
-    int threads = 0;
-    bool cpu = true;
-    std::vector<ContextKind> contexts;
     std::vector<Traversal> traversals{Traversal::stack};
 };
 

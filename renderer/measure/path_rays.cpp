@@ -43,6 +43,18 @@ Hit nearest_by_boxes(PlainKernel& kernel, const TriangleBoxes& boxes, const Ray&
     return hit;
 }
 
+/// A ray made by `leave` from the surface at each hit that there is.
+template <class Leave>
+std::vector<Ray> rays_from(const FlatScene& scene, std::span<const Ray> arriving, std::span<const Hit> hits,
+                           const Leave& leave) {
+    return with_kernel(scene, [&](PlainKernel& kernel) {
+        std::vector<Ray> rays;
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            if (hits[i].triangle >= 0) rays.push_back(leave(kernel, kernel.surface_at(arriving[i], hits[i])));
+        return rays;
+    });
+}
+
 }  // namespace
 
 LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, Vec3 direction, float t_max) {
@@ -64,6 +76,20 @@ LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hi
         const auto surface = kernel.surface_at(arriving, hit);
         const auto sample = kernel.sample_light(light, surface.position);
         return {kernel.shadow_ray(surface, sample), surface.position, surface.geometric};
+    });
+}
+
+std::vector<Ray> shadow_rays(const FlatScene& scene, std::span<const Ray> arriving, std::span<const Hit> hits,
+                             const Light& light) {
+    return rays_from(scene, arriving, hits, [&](PlainKernel& kernel, const auto& surface) {
+        return kernel.shadow_ray(surface, kernel.sample_light(light, surface.position));
+    });
+}
+
+std::vector<Ray> leave_hits(const FlatScene& scene, std::span<const Ray> arriving, std::span<const Hit> hits,
+                            const std::function<Vec3(Vec3)>& direction) {
+    return rays_from(scene, arriving, hits, [&](PlainKernel& kernel, const auto& surface) {
+        return kernel.leave_surface(surface, direction(surface.geometric), KD_T_LIMIT);
     });
 }
 

@@ -1,6 +1,7 @@
 // Rays that leave surfaces, made by the shared text itself, compiled for the plain processor.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -25,6 +26,14 @@ struct LeavingRay {
 
 /// The shadow ray towards a point light.
 [[nodiscard]] LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light);
+
+/// The same for those of many rays that hit something, in their order; the scene is looked at once.
+[[nodiscard]] std::vector<Ray> shadow_rays(const FlatScene& scene, std::span<const Ray> arriving,
+                                           std::span<const Hit> hits, const Light& light);
+
+/// leave_hit() of those that hit something, towards what `direction` says of the geometric normal.
+[[nodiscard]] std::vector<Ray> leave_hits(const FlatScene& scene, std::span<const Ray> arriving,
+                                          std::span<const Hit> hits, const std::function<Vec3(Vec3)>& direction);
 
 /// The primary ray of a pixel.
 [[nodiscard]] Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height);

@@ -7,6 +7,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/gl/object.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -21,6 +22,9 @@ class CpuMachine : public RayMachine {
 
     [[nodiscard]] std::string tracer() const override { return std::string(tracer_name(mode_)); }
     [[nodiscard]] std::string context() const override { return "-"; }
+    [[nodiscard]] bool has_walk(const TraceConfig& config) const override {
+        return mode_ != CpuMode::packet || why_idle(WalkChoice::packet, config).empty();
+    }
     void load(const FlatScene& scene, const KdTree& tree) override {
         tracer_ = std::make_unique<CpuTracer>(scene, tree, mode_);
     }
@@ -50,6 +54,10 @@ class GlMachine : public RayMachine {
 
     [[nodiscard]] std::string tracer() const override { return std::string(tracer_name(mode_)); }
     [[nodiscard]] std::string context() const override { return std::string(name_of(context_->kind())); }
+    [[nodiscard]] bool has_walk(const TraceConfig& config) const override {
+        const bool in_steps = rules_in_force(config) == Rules::robust && config.traversal != Traversal::naive;
+        return mode_ != GlMode::wavefront || in_steps;
+    }
     void load(const FlatScene& scene, const KdTree& tree) override {
         context_->make_current();
         tracer_->upload(scene, tree);
@@ -95,16 +103,19 @@ std::unique_ptr<RayMachine> gl_machine(ContextKind kind, GlMode mode) {
     return std::make_unique<GlMachine>(kind, mode);
 }
 
-std::vector<std::unique_ptr<RayMachine>> gl_machines(std::span<const ContextKind> kinds, std::string_view undone,
-                                                     std::vector<std::string>& notes) {
+std::vector<std::unique_ptr<RayMachine>> open_machines(const MachineChoice& choice, std::string_view undone,
+                                                       std::vector<std::string>& notes) {
     std::vector<std::unique_ptr<RayMachine>> machines;
-    for (const ContextKind kind : kinds) {
-        try {
-            machines.push_back(gl_machine(kind));
-        } catch (const ContextError& error) {
-            notes.push_back(fmt::format("gl-fragment on {} not {}: {}", name_of(kind), undone, error.what()));
+    for (const CpuMode mode : choice.cpu) machines.push_back(cpu_machine(choice.threads, mode));
+    for (const ContextKind kind : choice.contexts)
+        for (const GlMode mode : choice.gl) {
+            try {
+                machines.push_back(gl_machine(kind, mode));
+            } catch (const ContextError& error) {
+                notes.push_back(
+                    fmt::format("{} on {} not {}: {}", tracer_name(mode), name_of(kind), undone, error.what()));
+            }
         }
-    }
     return machines;
 }
 

@@ -1,4 +1,4 @@
-// What traces lists of rays: the CPU, or the fragment passes on one OpenGL context.
+// What traces lists of rays: the CPU in one of its ways, or one kind of shaders on an OpenGL context.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,14 @@ class RayMachine {
   public:
     virtual ~RayMachine() = default;
 
-    [[nodiscard]] virtual std::string tracer() const = 0;   // "cpu", "gl-fragment"
+    [[nodiscard]] virtual std::string tracer() const = 0;   // "cpu-wide", "gl-fragment"
     [[nodiscard]] virtual std::string context() const = 0;  // "osmesa", "egl"; "-" on the CPU
+    [[nodiscard]] bool on_cpu() const { return context() == "-"; }
+    /// The tracer that the others are held against: one ray and one triangle at a time on the CPU.
+    [[nodiscard]] bool is_reference() const { return tracer() == tracer_name(CpuMode::scalar); }
+    /// False for walks that it refuses or leaves to another tracer: packets walk by the stack under robust rules, other
+    /// rays singly as those of "cpu-wide" do; "gl-wavefront" has robust rules and walks in steps alone.
+    [[nodiscard]] virtual bool has_walk(const TraceConfig&) const { return true; }
     /// Takes scene and tree, which must outlive their use. InputError where they do not fit on it.
     virtual void load(const FlatScene& scene, const KdTree& tree) = 0;
     /// `counters` may be empty: nothing is counted then. False where stopped. InputError for what it cannot trace.
@@ -42,10 +48,18 @@ class RayMachine {
 /// ContextError where there is no such context.
 [[nodiscard]] std::unique_ptr<RayMachine> gl_machine(ContextKind kind, GlMode mode = GlMode::fragment);
 
-/// Those of `kinds` that there are; of each other a note: "gl-fragment on egl not checked: why", with `undone` for
-/// "checked".
+/// What a check or a measurement runs on.
+struct MachineChoice {
+    std::vector<CpuMode> cpu{CpuMode::scalar};
+    std::vector<GlMode> gl{GlMode::fragment};  // each on each of the contexts
+    std::vector<ContextKind> contexts;         // besides the CPU; empty = none
+    int threads = 0;                           // of the CPU; 0 = all
+};
+
+/// The CPU's, then those of OpenGL that there are; of each other a note: "gl-fragment on egl not checked: why", with
+/// `undone` for "checked".
 [[nodiscard]] std::vector<std::unique_ptr<RayMachine>>
-gl_machines(std::span<const ContextKind> kinds, std::string_view undone, std::vector<std::string>& notes);
+open_machines(const MachineChoice& choice, std::string_view undone, std::vector<std::string>& notes);
 
 /// The answers of the naive traversal on the CPU: the reference of every other. Incomplete where stopped.
 [[nodiscard]] std::vector<Hit> brute_force(const FlatScene& scene, std::span<const Ray> rays, int threads = 0,

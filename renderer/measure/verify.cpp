@@ -32,6 +32,7 @@ struct Mode {
         trace.leaf_lists = lists;
         trace.rules = rules;
         trace.nodes = nodes;
+        trace.packet_size = walk.packet_size;
         return trace;
     }
 };
@@ -49,7 +50,7 @@ class Verification {
     VerifyReport run() {
         try {
             choose_modes();
-            open_contexts();
+            open_others();
             make_pixel_rays();
             for (std::size_t i = 0; i < config_.builders.size(); ++i) check_builder(i);
         } catch (const Stopped&) {
@@ -93,26 +94,67 @@ class Verification {
         const auto can_change = [](const Mode& mode) {
             return mode.lists == LeafLists::references && why_idle(WalkChoice::nodes, mode.config()).empty();
         };
-        const auto walks = std::size_t(std::ranges::count_if(modes_, can_change));
         std::vector<Mode> modes;
-        std::size_t walk = 0;
         for (const Mode& mode : modes_) {
             modes.push_back(mode);
-            if (config_.nodes || !can_change(mode)) continue;
-            if (walk % config_.builders.size() == builder || builder % walks == walk) {
-                modes.push_back(mode);
-                modes.back().nodes = NodeEncoding::packed;
-            }
-            ++walk;
+            if (config_.nodes || !can_change(mode) || !on_diagonal(mode, builder, can_change)) continue;
+            modes.push_back(mode);
+            modes.back().nodes = NodeEncoding::packed;
         }
         return modes;
     }
 
-    void open_contexts() {
-        gl_ = gl_machines(config_.contexts, "checked", report_.not_checked);
-        const std::size_t machines = (config_.cpu ? 1 : 0) + gl_.size();
-        steps_ = 4 + (naive_ ? gl_.size() : 0);
-        for (std::size_t i = 0; i < config_.builders.size(); ++i) steps_ += 2 + machines * modes_of(i).size();
+    /// Of the walks that `counts` and the builders, both counted round.
+    [[nodiscard]] bool on_diagonal(const Mode& mode, std::size_t builder,
+                                   const std::function<bool(const Mode&)>& counts) const {
+        std::size_t walks = 0, walk = 0;
+        for (const Mode& other : modes_) {
+            if (other.lists != LeafLists::references || !counts(other)) continue;
+            if (other.traversal == mode.traversal) walk = walks;
+            ++walks;
+        }
+        return walk % config_.builders.size() == builder || builder % walks == walk;
+    }
+
+    /// Whether a machine beside the reference takes part.
+    [[nodiscard]] bool checks(const RayMachine& machine, const Mode& mode, std::size_t builder) const {
+        const auto has_walk = [&](const Mode& other) { return machine.has_walk(other.config()); };
+        // The CPU's other tracers have blocks of their own for lists.
+        if (!has_walk(mode) || (machine.on_cpu() && mode.lists == LeafLists::duplicated)) return false;
+        const bool first = machine.on_cpu() ? config_.cpu.size() == 1 : is_first_gl(machine);
+        return first || on_diagonal(mode, builder, has_walk);
+    }
+
+    [[nodiscard]] bool is_first_gl(const RayMachine& machine) const {
+        return machine.tracer() == tracer_name(config_.gl.front());
+    }
+
+    /// The mode as this machine runs it: packets of every size.
+    [[nodiscard]] static std::vector<Mode> variants(const RayMachine& machine, const Mode& mode) {
+        if (machine.tracer() != tracer_name(CpuMode::packet)) return {mode};
+        std::vector<Mode> sizes;
+        for (const int size : {4, 8, 16}) {
+            sizes.push_back(mode);
+            sizes.back().walk.packet_size = size;
+        }
+        return sizes;
+    }
+
+    /// All but the reference, which walks first.
+    void open_others() {
+        MachineChoice choice = config_;
+        shows_reference_ = std::erase(choice.cpu, CpuMode::scalar) > 0;
+        others_ = open_machines(choice, "checked", report_.not_checked);
+        steps_ = 4;
+        for (const auto& machine : others_) steps_ += naive_ && !machine->on_cpu() ? 1 : 0;
+        for (std::size_t i = 0; i < config_.builders.size(); ++i) {
+            steps_ += 2;
+            for (const Mode& mode : modes_of(i)) {
+                steps_ += shows_reference_ ? 1 : 0;
+                for (const auto& machine : others_)
+                    if (checks(*machine, mode, i)) steps_ += variants(*machine, mode).size();
+            }
+        }
     }
 
     void make_pixel_rays() {
@@ -177,12 +219,14 @@ class Verification {
 
         cpu_->load(scene_, tree);
         std::vector<RayMachine*> loaded;
-        for (const auto& machine : gl_)
+        for (const auto& machine : others_)
             if (load(*machine, tree, builder)) loaded.push_back(machine.get());
         if (place == 0 && naive_)
-            for (RayMachine* machine : loaded) check_naive(*machine, hard);
+            for (RayMachine* machine : loaded)
+                if (!machine->on_cpu() && machine->has_walk({.traversal = Traversal::naive}))
+                    check_naive(*machine, hard);
         std::optional<Answers> wide;  // by the CPU, of the mode before: the same one where nodes of 8 bytes follow
-        for (const Mode& mode : modes_of(place)) check_mode(mode, builder, hard, loaded, wide);
+        for (const Mode& mode : modes_of(place)) check_mode(mode, place, hard, loaded, wide);
     }
 
     bool load(RayMachine& machine, const KdTree& tree, const std::string& builder) {
@@ -196,20 +240,23 @@ class Verification {
         }
     }
 
-    void check_mode(const Mode& mode, const std::string& builder, const ReferenceRays& hard,
+    void check_mode(const Mode& mode, std::size_t place, const ReferenceRays& hard,
                     const std::vector<RayMachine*>& loaded, std::optional<Answers>& wide) {
+        const std::string& builder = config_.builders[place];
         VerifyRow row = row_for(mode, builder, *cpu_);
         tell(row.builder + ", " + row.traversal + " on the CPU");
         Answers by_cpu = ask(*cpu_, mode, pixels_, hard, row.seconds);
         compare(row, pixels_, hard, by_cpu);
         const bool follows = mode.nodes == NodeEncoding::packed && !config_.nodes;
         if (follows) compare_all_counters(row, hard, *wide, by_cpu);
-        if (config_.cpu) {
+        if (shows_reference_) {
             report_.rows.push_back(std::move(row));
             ++done_;
         }
         for (RayMachine* machine : loaded)
-            check_gl(*machine, mode, row_for(mode, builder, *machine), pixels_, hard, &by_cpu);
+            if (checks(*machine, mode, place))
+                for (const Mode& variant : variants(*machine, mode))
+                    check_other(*machine, variant, row_for(variant, builder, *machine), pixels_, hard, &by_cpu);
         if (!follows) wide = std::move(by_cpu);
     }
 
@@ -219,17 +266,18 @@ class Verification {
         compare_counters(scene_, hard, expected[1], found[1], row);
     }
 
-    void check_gl(RayMachine& machine, const Mode& mode, VerifyRow row, const ReferenceRays& pixels,
-                  const ReferenceRays& hard, const Answers* by_cpu) {
-        tell(row.builder + ", " + row.traversal + " on " + row.context);
+    void check_other(RayMachine& machine, const Mode& mode, VerifyRow row, const ReferenceRays& pixels,
+                     const ReferenceRays& hard, const Answers* by_cpu) {
+        const std::string by = machine.on_cpu() ? row.tracer : fmt::format("{} on {}", row.tracer, row.context);
+        tell(fmt::format("{}, {} by {}", row.builder, row.traversal, by));
         try {
-            const Answers by_gl = ask(machine, mode, pixels, hard, row.seconds);
-            compare(row, pixels, hard, by_gl);
-            if (by_cpu) compare_all_counters(row, hard, *by_cpu, by_gl);
+            const Answers found = ask(machine, mode, pixels, hard, row.seconds);
+            compare(row, pixels, hard, found);
+            if (by_cpu) compare_all_counters(row, hard, *by_cpu, found);
             report_.rows.push_back(std::move(row));
         } catch (const InputError& error) {
-            report_.not_checked.push_back(fmt::format("{} with {} on {} not checked: {}", row.traversal, row.leaf_lists,
-                                                      row.context, error.what()));
+            report_.not_checked.push_back(
+                fmt::format("{} with {} by {} not checked: {}", row.traversal, row.leaf_lists, by, error.what()));
         }
         ++done_;
     }
@@ -242,7 +290,7 @@ class Verification {
             report_.notes.push_back(
                 fmt::format("naive on {}: one ray in {} only, as each takes all triangles", machine.context(), step));
         const Mode mode{Traversal::naive, LeafLists::references};
-        check_gl(machine, mode, row_for(mode, "-", machine), pixels_.every(step), hard.every(step), nullptr);
+        check_other(machine, mode, row_for(mode, "-", machine), pixels_.every(step), hard.every(step), nullptr);
     }
 
     static VerifyRow row_for(const Mode& mode, const std::string& builder, const RayMachine& machine) {
@@ -252,6 +300,7 @@ class Verification {
         row.leaf_lists = mode.lists == LeafLists::duplicated ? "duplicated" : "references";
         row.node_bytes = mode.traversal == Traversal::naive ? 0 : bytes_of(mode.nodes);
         row.tracer = machine.tracer();
+        row.packet = row.tracer == tracer_name(CpuMode::packet) ? mode.walk.packet_size : 0;
         row.context = machine.context();
         return row;
     }
@@ -271,8 +320,9 @@ class Verification {
     VerifyReport report_;
     std::vector<Mode> modes_;
     bool naive_ = false;
-    std::unique_ptr<RayMachine> cpu_;
-    std::vector<std::unique_ptr<RayMachine>> gl_;
+    std::unique_ptr<RayMachine> cpu_;  // the reference
+    bool shows_reference_ = true;      // in rows of its own
+    std::vector<std::unique_ptr<RayMachine>> others_;
     ReferenceRays pixels_;
     std::size_t done_ = 0, steps_ = 1;
 };

@@ -23,6 +23,12 @@ std::string why_no_tiles(const TraceConfig& config, const TraversalInfo& walk) {
     return "";
 }
 
+std::string why_no_packets(const TraceConfig& config) {
+    if (config.traversal != Traversal::stack) return "packets walk by the stack; rays of other walks go singly";
+    if (config.rules != Rules::robust) return "packets walk by robust rules; rays under other rules go singly";
+    return "";
+}
+
 }  // namespace
 
 std::string why_idle(WalkChoice choice, const TraceConfig& config) {
@@ -36,6 +42,7 @@ std::string why_idle(WalkChoice choice, const TraceConfig& config) {
         case plain_ropes: return walk.has(walk_ropes) ? "" : "the walk follows none; traversal ropes does";
         case eye_leaf: return walk.has(walk_ropes) ? "" : "only ropes lead on from there; choose traversal ropes";
         case entry_tile: return why_no_tiles(config, walk);
+        case packet: return why_no_packets(config);
     }
     return "";
 }

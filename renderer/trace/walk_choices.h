@@ -8,7 +8,7 @@
 
 namespace kd {
 
-enum class WalkChoice { rules, nodes, short_stack, plain_ropes, eye_leaf, entry_tile };
+enum class WalkChoice { rules, nodes, short_stack, plain_ropes, eye_leaf, entry_tile, packet };
 
 /// Why `choice` changes nothing under `config`, with the remedy; empty where it does.
 [[nodiscard]] std::string why_idle(WalkChoice choice, const TraceConfig& config);

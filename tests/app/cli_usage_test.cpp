@@ -142,8 +142,9 @@ TEST(C06, UnknownNameSaysOptionValueAndKnownValues) {
                        {"--rays", "'second'", "primary, shadow, reflection, reflection-shadow"});
     expect_usage_error(run_kdscope({"render", "cornell", "-o", "x.png", "--colormap", "jet"}),
                        {"--colormap", "'jet'", "viridis"});
-    expect_usage_error(run_kdscope({"bench", "cornell", "--tracer", "gpu"}),
-                       {"--tracer", "'gpu'", "known: cpu, gl-fragment"});
+    expect_usage_error(
+        run_kdscope({"bench", "cornell", "--tracer", "gpu"}),
+        {"--tracer", "'gpu'", "known: cpu, cpu-wide, cpu-packet, gl-fragment, gl-compute, gl-wavefront"});
     expect_usage_error(run_kdscope({"bench", "cornell", "--context", "glx"}),
                        {"--context", "'glx'", "known: auto, osmesa, egl"});
     expect_usage_error(run_kdscope({"bench", "cornell", "--leaf-lists", "both"}),

@@ -84,6 +84,37 @@ TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
               std::string::npos);
 }
 
+TEST(IdleOptions, WhatOnlySomeTracersTakeIsNoted) {
+    const TestFolder folder;
+    const auto notes = [&](const Words& options) {
+        const auto outcome =
+            run_kdscope(joined({"render", "cornell", "-o", folder.file("a.png"), "--size", "8x8"}, options));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_EQ(notes({"--packet", "8"}),
+              "kdscope: note: --packet has no effect: cpu walks no packets; --tracer cpu-packet does\n");
+    EXPECT_EQ(notes({"--packet", "8", "--tracer", "cpu-packet"}), "");
+    EXPECT_NE(notes({"--packet", "8", "--tracer", "cpu-packet", "--traversal", "restart"}).find("by the stack"),
+              std::string::npos);
+    EXPECT_NE(notes({"--packet", "8", "--tracer", "cpu-packet", "--rules", "as-published"}).find("by robust rules"),
+              std::string::npos);
+    for (const char* tracer : {"cpu-wide", "cpu-packet"})
+        EXPECT_NE(notes({"--leaf-lists", "duplicated", "--tracer", tracer}).find("blocks of its own"),
+                  std::string::npos);
+    EXPECT_EQ(notes({"--leaf-block", "8", "--tracer", "cpu-wide"}), "");
+}
+
+TEST(IdleOptions, PacketsAndBlocksHaveTheirSizes) {
+    const TestFolder folder;
+    expect_refused(folder, {"--packet", "5"}, {"--packet", "'5'", "4, 8, 16"});
+    expect_refused(folder, {"--leaf-block", "17"}, {"--leaf-block", "1 to 16"});
+    expect_usage_error(run_kdscope({"paper", "-o", folder.file("o"), "--packet", "8"}), {"--packet", "no packets"});
+    expect_usage_error(run_kdscope({"verify", "cornell", "--packet", "8"}), {"--packet", "all sizes"});
+    for (const char* tracer : {"cpu-wide", "gl-compute"})
+        expect_usage_error(run_kdscope({"paper", "-o", folder.file("o"), "--tracer", tracer}), {"--tracer"});
+}
+
 TEST(IdleOptions, BinsActWhereAllBuildersDo) {
     EXPECT_NE(run_kdscope({"stats", "cornell", "--bins", "16"}).err.find("--bins has no effect"), std::string::npos);
     EXPECT_EQ(run_kdscope({"stats", "cornell", "--bins", "16", "--builders"}).err, "");

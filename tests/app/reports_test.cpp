@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/cli/text_table.h"
+#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/io/file.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/trace/traversal.h"
@@ -85,15 +86,40 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json rows = json::parse(outcome.out);
     ASSERT_EQ(rows.size(), traversals().size());
-    const std::set<std::string> agreed{
-        "scene",    "tracer", "traversal",         "builder",   "width",      "height",      "rays",     "ms_median",
-        "ms_p25",   "ms_p75", "mrays_per_s",       "clock",     "renderer",   "build_ms",    "counters", "rounds",
-        "of_first", "passes", "clock_discrepancy", "upload_ms", "compile_ms", "measured_on", "nodes"};
+    const std::set<std::string> agreed{"scene",
+                                       "tracer",
+                                       "traversal",
+                                       "builder",
+                                       "width",
+                                       "height",
+                                       "rays",
+                                       "ms_median",
+                                       "ms_p25",
+                                       "ms_p75",
+                                       "mrays_per_s",
+                                       "clock",
+                                       "renderer",
+                                       "build_ms",
+                                       "counters",
+                                       "rounds",
+                                       "of_first",
+                                       "passes",
+                                       "clock_discrepancy",
+                                       "upload_ms",
+                                       "compile_ms",
+                                       "measured_on",
+                                       "nodes",
+                                       "ray_type",
+                                       "packet",
+                                       "instructions",
+                                       "leaf_block"};
     for (const json& row : rows) {
         std::set<std::string> keys;
         for (const auto& [key, value] : row.items()) keys.insert(key);
         EXPECT_EQ(keys, agreed);
         EXPECT_GT(row["rays"], 64 * 48);
+        EXPECT_EQ(row["ray_type"], "frame");
+        EXPECT_EQ(row["instructions"], cpu_target_name());
         EXPECT_EQ(row["rays"], rows[0]["rays"]);
         EXPECT_LE(row["ms_p25"], row["ms_median"]);
         EXPECT_LE(row["ms_median"], row["ms_p75"]);
@@ -309,8 +335,8 @@ TEST(Bench, TellsEachSceneWhereStandardErrorIsNoTerminal) {
     const test::Outcome outcome = run_kdscope({"bench", "cornell", "ball:100", "--size", "8x8", "--rounds", "2",
                                                "--warmup", "1", "--tracer", "cpu", "--traversal", "stack"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "kdscope: timing cornell: 1 traversal on 1 tracer, 3 frames of each\n"
-                           "kdscope: timing ball:100: 1 traversal on 1 tracer, 3 frames of each\n");
+    EXPECT_EQ(outcome.err, "kdscope: timing cornell: 1 walk by 1 tracer, 3 frames of each\n"
+                           "kdscope: timing ball:100: 1 walk by 1 tracer, 3 frames of each\n");
 }
 
 TEST(Bench, SaysHowManyRoundsAnIntervalTakes) {

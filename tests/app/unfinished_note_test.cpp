@@ -82,7 +82,7 @@ TEST(UnfinishedNote, ErrortimeTellsEachMethodOfP1) {
         config.reports = {ErrorReport::p1};
         config.seconds = 1;
         config.quick = true;
-        config.gl = false;
+        config.tracers = {TracerKind::cpu};
         config.traversals = {Traversal::stack, Traversal::restart};
         OpenedScene opened;
         opened.session.scene = "ball:300";

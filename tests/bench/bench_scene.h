@@ -12,23 +12,16 @@ namespace kd {
 
 inline constexpr int image_size = 512;
 
-/// Spreads the low 9 bits of x over the even bits.
-inline unsigned spread(unsigned x) {
-    unsigned out = 0;
-    for (unsigned bit = 0; bit < 9; ++bit) out |= (x >> bit & 1u) << (2 * bit);
-    return out;
-}
-
-/// The camera's rays along a Morton curve, the order that both tracers get.
+/// The camera's rays, row by row.
 inline std::vector<Ray> primary_rays(const FlatScene& scene) {
     const PinholeCamera camera = pinhole(scene.camera, image_size, image_size);
-    std::vector<Ray> rays(std::size_t(image_size) * image_size);
+    std::vector<Ray> rays;
     for (unsigned y = 0; y < image_size; ++y)
         for (unsigned x = 0; x < image_size; ++x) {
             const float across = (float(x) + 0.5f) * 2.0f / float(image_size) - 1.0f;
             const float down = 1.0f - (float(y) + 0.5f) * 2.0f / float(image_size);
             const Vec3 d = camera.forward + camera.right * across + camera.up * down;
-            rays[spread(x) | spread(y) << 1u] = {camera.eye, d, 0.0f, KD_T_LIMIT, -1};
+            rays.push_back({camera.eye, d, 0.0f, KD_T_LIMIT, -1});
         }
     return rays;
 }

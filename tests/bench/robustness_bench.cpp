@@ -13,6 +13,7 @@
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
+#include "renderer/measure/bench_rays.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
 #include "tests/bench/bench_scene.h"
@@ -42,7 +43,7 @@ bool within(const char* what, double share, double most) {
 bool compare(const std::string& name, int rounds) {
     const FlatScene scene = bench_scene(name);
     const KdTree tree = build_tree(scene.triangles, {});
-    const std::vector<Ray> rays = primary_rays(scene);
+    const std::vector<Ray> rays = morton_rays(pinhole(scene.camera, image_size, image_size), image_size, image_size);
     CpuTracer tracer(scene, tree);
     std::vector<Hit> hits(rays.size());
     std::printf("%s, %zu triangles, %zu primary rays, stack, 1 thread, %s, %d rounds in turn\n", name.c_str(),

@@ -10,8 +10,8 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/stability/case_rays.h"
+#include "renderer/peers/peers.h"
 #include "renderer/scene/stress_shapes.h"
-#include "tests/bench/embree_tracer.h"
 
 namespace {
 
@@ -23,7 +23,6 @@ int run(std::size_t count) {
     const FlatScene scene = bare_scene(stress_sphere(80, 40));
     const KdTree tree = build_tree(scene.triangles, {});
     CpuTracer tracer(scene, tree);
-    const EmbreeTracer robust(scene, RTC_SCENE_FLAG_ROBUST), standard(scene, RTC_SCENE_FLAG_NONE);
     Random random(1);
     const auto origin = [&] { return random_point(random, -0.3f, 0.3f); };
     const std::vector<Ray> edges = rays_to_edges(random, scene.triangles, count, origin);
@@ -48,8 +47,8 @@ int run(std::size_t count) {
         ours += row("kdscope " + std::string(t.name),
                     [&](const std::vector<Ray>& rays) { tracer.trace_rays(config, rays, false, hits, {}); });
     }
-    row("embree robust", [&](const std::vector<Ray>& rays) { robust.trace(rays, hits); });
-    row("embree default", [&](const std::vector<Ray>& rays) { standard.trace(rays, hits); });
+    for (const auto& peer : make_peers(scene))
+        row(std::string(peer->name()), [&](const std::vector<Ray>& rays) { peer->trace(rays, {.threads = 0}, hits); });
     return ours == 0 ? 0 : 1;
 }
 

@@ -16,6 +16,19 @@
 
 namespace kd {
 
+namespace {
+
+/// Whether of the walks that the paper prints this is the one of a case: they take turns, by its number.
+bool on_turn(const TraversalInfo& walk, std::string_view id) {
+    std::vector<Traversal> printed;
+    for (const TraversalInfo& traversal : traversals())
+        if (traversal.has_published_form()) printed.push_back(traversal.id);
+    const auto turn = std::size_t(std::stoi(std::string(id.substr(1))));
+    return printed[turn % printed.size()] == walk.id;
+}
+
+}  // namespace
+
 CaseRun::CaseRun(const StabilityCase& info, const StabilityConfig& config,
                  std::span<const std::unique_ptr<RayMachine>> machines, std::stop_token stop, Tell tell)
     : info_(info), config_(config), machines_(machines), stop_(std::move(stop)), tell_(std::move(tell)),
@@ -64,14 +77,18 @@ Subject CaseRun::subject(FlatScene scene, const std::optional<BuildConfig>& buil
 
 std::vector<const TraversalInfo*> CaseRun::wanted_traversals(const RayMachine& machine, Walks walks) const {
     // OpenGL runs the CPU's text, as T62 shows for every walk. All of them in all cases take nine minutes.
-    const bool all = walks == Walks::all || config_.long_run || machine.tracer() == "cpu";
+    const bool all = walks == Walks::all || config_.long_run || machine.on_cpu();
+    // Its other tracers are no other walks: one of those in each case, by turns.
+    const bool first = config_.gl.empty() || machine.tracer() == tracer_name(config_.gl.front());
     std::vector<const TraversalInfo*> found;
     for (const TraversalInfo& traversal : traversals()) {
         const auto& wanted = config_.traversals;
         const bool named = wanted.empty() || std::ranges::find(wanted, traversal.name) != wanted.end();
         const bool has_rules = config_.rules == Rules::robust || traversal.has_published_form();
-        const bool asked = !wanted.empty() || all || traversal.has_published_form();
-        if (traversal.id != Traversal::naive && named && has_rules && asked) found.push_back(&traversal);
+        const bool asked =
+            !wanted.empty() || all || (traversal.has_published_form() && (first || on_turn(traversal, info_.id)));
+        const bool has_walk = machine.has_walk({.traversal = traversal.id, .rules = config_.rules});
+        if (traversal.id != Traversal::naive && named && has_rules && asked && has_walk) found.push_back(&traversal);
     }
     return found;
 }
@@ -109,6 +126,7 @@ void CaseRun::each(const Subject& subject, const Use& use, Refusal refusal, Walk
             trace.traversal = traversal->id;
             trace.rules = config_.rules;
             trace.nodes = config_.nodes;
+            trace.packet_size = config_.packet_size;
             StabilityRow& r = row(machine->tracer(), machine->context(), traversal->name);
             use_whole(*machine, trace, r, use);
             done_ += step;
@@ -163,7 +181,7 @@ void CaseRun::check(const Subject& subject, const std::vector<Ray>& rays, const 
         for (std::size_t i = 0; i < all.exact.size(); i += 3) third->exact.push_back(all.exact[i]);
     }
     each(subject, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow& r) {
-        check_machine(third && machine.tracer() != "cpu" ? *third : all, expectation, machine, trace, r);
+        check_machine(third && !machine.on_cpu() ? *third : all, expectation, machine, trace, r);
     });
 }
 
@@ -171,7 +189,7 @@ void CaseRun::check_machine(const Reference& reference, const Expectation& expec
                             const TraceConfig& trace, StabilityRow& r) const {
     const std::vector<Ray>& rays = reference.loop.rays;
     RayAnswers found(rays.size());
-    const bool exempt = expectation.may_give_up && !info_.exempt.empty() && machine.tracer() != "cpu";
+    const bool exempt = expectation.may_give_up && !info_.exempt.empty() && !machine.on_cpu();
     std::vector<RayCounters> any_counters(exempt ? rays.size() : 0);
     found.counters.resize(any_counters.size());
     (void)machine.trace(trace, rays, false, found.nearest, found.counters, stop_);

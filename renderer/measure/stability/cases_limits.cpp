@@ -106,7 +106,7 @@ void run_naive(CaseRun& run, int count) {
         run.check_stop();
         row.n += std::int64_t(rays.size());
         if (refused.empty()) CaseRun::tell_error_of_t(soup.scene, rays, hits, row);
-        const bool fits = machine.tracer() == "cpu" || count <= gl_step_budget;
+        const bool fits = machine.on_cpu() || count <= gl_step_budget;
         if (fits != refused.empty())
             CaseRun::fail(row, fmt::format("{} triangles: {}", count, fits ? refused : "not refused"));
         for (std::size_t i = 0; i < rays.size() && refused.empty(); ++i)

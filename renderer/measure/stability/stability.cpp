@@ -35,12 +35,6 @@ std::string numbers_used() {
                        unused.empty() ? "" : ", without ", fmt::join(unused, ", "));
 }
 
-std::vector<std::unique_ptr<RayMachine>> open_machines(const StabilityConfig& config, std::vector<std::string>& notes) {
-    std::vector<std::unique_ptr<RayMachine>> machines = gl_machines(config.contexts, "checked", notes);
-    if (config.cpu) machines.insert(machines.begin(), cpu_machine(config.threads));
-    return machines;
-}
-
 /// Rows of the case that runs stand in the report while `tell` looks at it.
 void tell_with(StabilityReport& report, const std::vector<StabilityRow>& running, const std::function<void()>& tell) {
     const std::size_t finished = report.rows.size();
@@ -88,11 +82,11 @@ StabilityReport run_stability(const StabilityConfig& config, const StabilityProg
     report.rules = config.rules;
     report.complete = false;
     const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
-    const auto machines = open_machines(config, report.notes);
+    const auto machines = open_machines(config, "checked", report.notes);
     if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)
-        report.notes.emplace_back(
-            "on OpenGL stack, restart and backtrack only, but for T62, which has all; the others with --long, or where "
-            "--traversal names one");
+        report.notes.emplace_back("on OpenGL stack, restart and backtrack only, by turns where it has several tracers, "
+                                  "but for T62, which has all; "
+                                  "the others with --long, or where --traversal names one");
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto tell = [&](float done, const std::string& doing) {
             const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/gl/context_kinds.h"
 #include "renderer/kdtree/build.h"
+#include "renderer/measure/ray_machine.h"
 #include "renderer/trace/rules.h"
 #include "renderer/trace/trace_config.h"
 
@@ -35,16 +35,14 @@ struct StabilityCase {
 /// The case called `id`, such as "T14". InputError naming those there are.
 [[nodiscard]] const StabilityCase& stability_case(std::string_view id);
 
-struct StabilityConfig {
+struct StabilityConfig : MachineChoice {
     std::vector<std::string> cases;       // ids; empty = all
     bool long_run = false;                // all rays of a case instead of a tenth
     std::vector<std::string> traversals;  // empty = all but naive
     Rules rules = Rules::robust;
     NodeEncoding nodes = NodeEncoding::float4;    // of the tracers, where a case does not try both
     std::string builder = BuildConfig{}.builder;  // of the trees, where a case does not name one
-    bool cpu = true;
-    std::vector<ContextKind> contexts;
-    int threads = 0;
+    int packet_size = TraceConfig{}.packet_size;  // of CpuMode::packet
     unsigned seed = 1;
 };
 

@@ -65,8 +65,7 @@ class SweepRun {
 
     SweepRun(const SweepConfig& config, SweepReport& report, std::stop_token stop)
         : config_(config), report_(report), stop_(std::move(stop)) {
-        machines_ = gl_machines(config.contexts, "measured", report.notes);
-        if (config.cpu) machines_.insert(machines_.begin(), cpu_machine(config.threads));
+        machines_ = open_machines(config, "measured", report.notes);
     }
 
     void measure(double value, SweepScene made) {
@@ -113,11 +112,11 @@ class SweepRun {
                                                    : std::ranges::find(wanted, traversal.name) != wanted.end();
                 const bool robust = rules.id == Rules::robust;
                 if (!chosen || (!robust && !traversal.has_published_form())) continue;
-                if (rules.id == Rules::first_edition && machine.tracer() != "cpu") continue;
+                if (rules.id == Rules::first_edition && !machine.on_cpu()) continue;
                 TraceConfig trace;
                 trace.rules = rules.id;
                 trace.traversal = traversal.id;
-                all.push_back(trace);
+                if (machine.has_walk(trace)) all.push_back(trace);
             }
         return all;
     }
@@ -158,7 +157,8 @@ class SweepRun {
 
 std::string SweepMethod::name() const {
     if (tracer == "double") return tracer;
-    return fmt::format("{}, {}{}", rules, tracer == "cpu" ? "cpu" : "gl", traversal == "stack" ? "" : ", " + traversal);
+    return fmt::format("{}, {}{}", rules, tracer == "gl-fragment" ? "gl" : tracer,
+                       traversal == "stack" ? "" : ", " + traversal);
 }
 
 std::vector<SweepMethod> SweepReport::methods() const {

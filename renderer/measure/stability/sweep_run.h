@@ -7,19 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/context_kinds.h"
+#include "renderer/measure/ray_machine.h"
 #include "renderer/measure/stability/sweep.h"
 #include "renderer/trace/rules.h"
 
 namespace kd {
 
-struct SweepConfig {
+struct SweepConfig : MachineChoice {
     std::string id;                       // of the case
     std::size_t rays = 2000;              // per value, at most
     std::vector<std::string> traversals;  // empty = stack
-    bool cpu = true;
-    std::vector<ContextKind> contexts;
-    int threads = 0;
     unsigned seed = 1;
 };
 

@@ -1,0 +1,127 @@
+#include "app/report/peers_report.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <ostream>
+
+#include "app/cli/counted.h"
+#include "app/cli/terminal.h"
+#include "app/cli/text_table.h"
+#include "renderer/cpu/cpu_tracer.h"
+
+namespace kd {
+
+namespace {
+
+Json json_of(const PeersScene& peers, const RayBenchRow& row) {
+    const TimeSummary time = row.timed.total();
+    const bool spin = row.rays == 0;
+    const bool own = !row.is_peer();
+    Json speeds = Json::object();
+    for (const SpeedOfPeer& of : speeds_of_peers(peers.result, row)) speeds[of.peer] = kd::json_of(of.speed);
+    Json json{{"scene", peers.session.scene},
+              {"tracer", row.tracer},
+              {"ray_type", ray_type_names[std::size_t(row.type)]},
+              {"traversal", own ? Json(info(Traversal::stack).name) : Json(nullptr)},
+              {"packet", row.packet},
+              {"builder", own ? Json(peers.session.build.builder) : Json(nullptr)},
+              {"leaf_block", own ? Json(row.leaf_block) : Json(nullptr)},
+              {"build_ms", own ? Json(peers.build_ms.at(row.leaf_block)) : Json(nullptr)},
+              {"threads", row.threads},
+              {"width", peers.session.width},
+              {"height", peers.session.height},
+              {"rays", row.rays},
+              {"hits", row.hits},
+              {"differ", spin ? Json(nullptr) : Json(row.differ)},
+              {"ms_median", time.median_ms},
+              {"ms_p25", time.p25_ms},
+              {"ms_p75", time.p75_ms},
+              {"rounds", time.samples},
+              {"mrays_per_s", spin ? Json(nullptr) : Json(row.mrays_per_s())},
+              {"speed_of", speeds},
+              {"gain", row.gain ? kd::json_of(*row.gain) : Json(nullptr)},
+              {"gain_of_spin", row.gain_of_spin ? kd::json_of(*row.gain_of_spin) : Json(nullptr)},
+              {"clock", "steady clock"},
+              {"instructions", own ? Json(cpu_target_name()) : Json(nullptr)},
+              {"peers", peers.peers},
+              {"measured_on", kd::json_of(peers.on)}};
+    return json;
+}
+
+void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
+    using enum TextTable::Align;
+    std::vector<TextTable::Column> columns{
+        {"tracer", left}, {"tree", left},      {"threads"},         {"ms"}, {"p25"}, {"p75"}, {"Mray/s"}, {"hits"},
+        {"differ"},       {"of robust", left}, {"of default", left}};
+    const bool threads = !peers.result.spins.empty();
+    if (threads) columns.push_back({"gain", left, true});
+    TextTable table(std::move(columns));
+    for (const RayBenchRow& row : peers.result.rows) {
+        if (row.type != type) continue;
+        const TimeSummary time = row.timed.total();
+        const std::vector<SpeedOfPeer> of = speeds_of_peers(peers.result, row);
+        const auto speed = [&](std::size_t i) { return i < of.size() ? ratio_text(of[i].speed) : ""; };
+        const std::string packet = !row.is_peer() && row.packet > 1 ? fmt::format(" {}", row.packet) : "";
+        std::vector<std::string> cells{row.tracer + packet,
+                                       row.is_peer() ? "" : fmt::format("blocks of {}", row.leaf_block),
+                                       fmt::format("{}", row.threads),
+                                       fmt::format("{:.2f}", time.median_ms),
+                                       fmt::format("{:.2f}", time.p25_ms),
+                                       fmt::format("{:.2f}", time.p75_ms),
+                                       fmt::format("{:.2f}", row.mrays_per_s()),
+                                       fmt::format("{}", row.hits),
+                                       fmt::format("{}", row.differ),
+                                       speed(0),
+                                       speed(1)};
+        if (threads)
+            cells.push_back(row.gain ? fmt::format("{}; {} of a spin loop's", ratio_text(*row.gain),
+                                                   short_number(row.gain_of_spin->median))
+                                     : "");
+        table.add_row(std::move(cells));
+    }
+    table.print(out, terminal_width());
+}
+
+}  // namespace
+
+std::vector<SpeedOfPeer> speeds_of_peers(const RayBench& bench, const RayBenchRow& row) {
+    std::vector<SpeedOfPeer> speeds;
+    if (row.rays == 0) return speeds;
+    const std::string rival = row.packet > 1 ? "embree-16" : "embree-1";
+    for (const std::string& name : {rival + "-robust", rival})
+        if (const RayBenchRow* peer = bench.find(row, name); peer && peer != &row)
+            speeds.push_back({name, ratio_interval(peer->timed.ms(), row.timed.ms())});
+    return speeds;
+}
+
+Json peers_json(const PeersScene& peers) {
+    Json rows = Json::array();
+    for (const auto* list : {&peers.result.rows, &peers.result.spins})
+        for (const RayBenchRow& row : *list) rows.push_back(json_of(peers, row));
+    return rows;
+}
+
+void print(std::ostream& out, const PeersScene& peers, int warmup) {
+    const Session& s = peers.session;
+    out << fmt::format("{}: {}, {} trees, {}, {}, {}\n", s.scene, counted(peers.scene.triangles.size(), "triangle"),
+                       s.build.builder, peers.on.cpu, cpu_target_name(), peers.peers);
+    std::size_t rounds = 0;
+    for (std::size_t type = 0; type < ray_type_names.size(); ++type) {
+        const auto row = std::ranges::find(peers.result.rows, RayType(type), &RayBenchRow::type);
+        if (row == peers.result.rows.end()) continue;
+        rounds = row->timed.rounds.size();
+        out << fmt::format("\n{} rays ({}), {}:\n", ray_type_names[type], row->rays,
+                           RayType(type) == RayType::shadow ? "any hit" : "nearest hit");
+        print_table(out, peers, RayType(type));
+    }
+    for (const RayBenchRow& spin : peers.result.spins)
+        out << fmt::format("a spin loop gains {} from {} threads beside {} rays\n", ratio_text(*spin.gain),
+                           spin.threads, ray_type_names[std::size_t(spin.type)]);
+    out << fmt::format(
+        "\n{} in turn after {} warm-up. ms: median; p25 to p75: their middle half; differ: rays answered otherwise "
+        "than "
+        "by\n{}; of robust, of default: speed over the peer's with single rays, or with packets of 16.\n",
+        counted(rounds, "round"), warmup, reference_peer);
+}
+
+}  // namespace kd
