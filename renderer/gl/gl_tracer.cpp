@@ -11,12 +11,17 @@ namespace kd {
 
 namespace {
 
-GlLimits limits_of(const GlApi& gl) {
+GlLimits limits_of(const GlApi& gl, GlMode mode) {
     GLint texels = 0;
     GLint size = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-    return {texels, size};
+    GlLimits limits{texels, size};
+    if (mode == GlMode::fragment) return limits;
+    GLint64 bytes = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    limits.storage_bytes = bytes;
+    return limits;
 }
 
 /// Takes back at the end, also of a failure, that programs are being compiled.
@@ -36,10 +41,10 @@ class CompilingNote {
 }  // namespace
 
 GlTracer::Impl::Impl(Context& context, GlMode how)
-    : gl(context.gl()), mode(how), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
-      no_vertices(gl), frame_block(gl), shaded_counter(gl) {
-    gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, shaded_counter.id());
-    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
+    : gl(context.gl()), mode(how), group(work_group_in_force()), software(context.is_software()),
+      limits(limits_of(gl, how)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
+    gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
+    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
 }
 
@@ -52,6 +57,8 @@ SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_ne
 
 ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     ProgramSettings settings;
+    settings.mode = mode;
+    settings.group = group;
     settings.trace = config;
     settings.needs = needs_of(config);
     settings.limited_loops = software;
@@ -61,6 +68,12 @@ ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
 
 GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings) {
     return programs.get(program_key(step, settings)).id();
+}
+
+void GlTracer::Impl::reset_counts() const {
+    constexpr std::array<GLuint, 2> none{};
+    gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, counts_buffer, counts.id());
+    gl.BufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof none, none.data());
 }
 
 void GlTracer::Impl::draw_quad() const {

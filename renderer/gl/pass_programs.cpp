@@ -15,6 +15,16 @@ std::string_view walk_function(const TraceConfig& trace) {
     return trace.rules == Rules::robust ? walk.function : walk.published_function;
 }
 
+void name_files(ProgramKey& key, Step step, GlMode mode) {
+    const std::string name = entry_points[static_cast<std::size_t>(step)];
+    if (mode == GlMode::fragment) {
+        key.vertex = "fragment/quad.vert";
+        key.fragment = "fragment/" + name + ".frag";
+    } else {
+        key.compute = "compute/" + name + ".comp";
+    }
+}
+
 const char* flag(bool on) { return on ? "1" : "0"; }
 
 }  // namespace
@@ -27,14 +37,29 @@ DepthRule depth_rule(Step step, EarlyZ early_z) {
     return {GL_GREATER, false, step == Step::shade_prim ? "0.5" : "0.125"};
 }
 
+namespace {
+
+/// What only one kind of shaders reads.
+ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
+    if (s.mode == GlMode::fragment)
+        return {{"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
+                {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)}};
+    return {{"KD_WIDE_REFERENCES", flag(s.needs.wide_references && walks)},
+            {"KD_GROUP_X", std::to_string(s.group.x)},
+            {"KD_GROUP_Y", std::to_string(s.group.y)},
+            {"KD_MORTON", flag(s.group.morton)},
+            {"KD_PERSISTENT", flag(s.group.persistent > 0)}};
+}
+
+}  // namespace
+
 ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
     const bool walks = step == Step::rt_prim || reflects || step == Step::rays || (shades && s.needs.shadows);
     const bool looks_up_materials = step != Step::rays && (step != Step::rt_prim || s.needs.reflections);
     ProgramKey key;
-    key.vertex = "fragment/quad.vert";
-    key.fragment = std::string("fragment/") + entry_points[static_cast<std::size_t>(step)] + ".frag";
+    name_files(key, step, s.mode);
     // What a step does not read stays at one value, so that it shares programs across settings.
     key.defines = {
         {"KD_COUNTERS", flag(s.needs.counters && walks)},
@@ -61,12 +86,11 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_SHORT_STACK",
          walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
-        {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
-        {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)},
         {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays)},
         {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
+    key.defines.merge(defines_of_mode(step, s, walks));
     return key;
 }
 

@@ -3,15 +3,19 @@
 
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/gl/program.h"
+#include "renderer/gl/work_group.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
 
-/// The steps that draw: the paper's passes, `mark` between bounces, and `rays` outside of frames.
+/// The steps that draw: the paper's passes, `mark` between bounces (of fragment shaders alone), and `rays`
+/// outside of frames.
 enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays };
 
 /// What decides a program beside its step.
 struct ProgramSettings {
+    GlMode mode = GlMode::fragment;
+    WorkGroup group;  // of compute shaders
     TraceConfig trace;
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;

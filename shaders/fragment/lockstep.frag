@@ -4,8 +4,8 @@
 #include "ballots.glsl"
 // The extensions come first.
 #include "tracer.glsl"
-#include "pixel_io.glsl"
-#include "ray_io.glsl"
+#include "hit_target.glsl"
+#include "opengl/ray_io.glsl"
 #include "stepper.glsl"
 #if KD_STEPS == 0
 #include "stack_steps.glsl"
@@ -83,8 +83,8 @@ void main()
         run_walk(s, frame.rays.x != 0, hit);
         hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
     }
-    out_hit = pack_hit(hit);
+    leave_hit(pixel, hit);
     out_ballots = uvec4(led_iterations[0], led_iterations[1], led_lanes[0], led_lanes[1]);
     out_place = uvec4(group, this_multiprocessor(), lane_count());
-    write_counters();
+    leave_counters(pixel);
 }

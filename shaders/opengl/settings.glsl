@@ -10,6 +10,11 @@
 #define KD_PACKED_NODES 0
 #endif
 
+// 1: leaf lists of 32 bits an entry, 0: of 16. Textures tell by themselves.
+#ifndef KD_WIDE_REFERENCES
+#define KD_WIDE_REFERENCES 1
+#endif
+
 // 1: leaf lists hold copies of the triangles' corners instead of their numbers alone.
 #ifndef KD_DUPLICATED
 #define KD_DUPLICATED 0
@@ -105,4 +110,18 @@
 // 1: the driver ends loops after a number of iterations without a word, as llvmpipe does.
 #ifndef KD_LOOP_LIMIT
 #define KD_LOOP_LIMIT 0
+#endif
+
+// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left.
+#ifndef KD_GROUP_X
+#define KD_GROUP_X 8
+#endif
+#ifndef KD_GROUP_Y
+#define KD_GROUP_Y 8
+#endif
+#ifndef KD_MORTON
+#define KD_MORTON 0
+#endif
+#ifndef KD_PERSISTENT
+#define KD_PERSISTENT 0
 #endif

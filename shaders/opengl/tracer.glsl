@@ -1,0 +1,17 @@
+// The tracer on tables that are there already (tables.glsl of each kind of shader): hooks and the shared text.
+
+#include "attributes.glsl"
+#include "scene_hooks.glsl"
+#include "observer_hooks.glsl"
+#include "shared/kernel.glsl"
+
+PinholeCamera frame_camera()
+{
+    return PinholeCamera(frame.eye.xyz, frame.right.xyz, frame.up.xyz, frame.forward.xyz);
+}
+
+/// A layer's hit where its rays found nothing.
+Hit nothing_found()
+{
+    return Hit(-1, 0.0, 0.0, 0.0);
+}
