@@ -67,6 +67,13 @@ void FramePasses::bind_path(int bounce) {
     bind_texture(gl_, Unit::path_weight, path.weight);
 }
 
+void FramePasses::clear_tile() {
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(tile_.x0, tile_.y0, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
+    const Vec3 background = t_.scene().scene().background;
+    t_.targets.clear(gl_, {background.x, background.y, background.z, 1.0f});
+}
+
 void FramePasses::copy(const GlTexture& from, const GlTexture& to) {
     if (tile_ == Tile{}) return;
     gl_.CopyImageSubData(from.id(), GL_TEXTURE_2D, 0, tile_.x0, tile_.y0, 0, to.id(), GL_TEXTURE_2D, 0, tile_.x0,
@@ -76,7 +83,7 @@ void FramePasses::copy(const GlTexture& from, const GlTexture& to) {
 void FramePasses::pass(Pass pass, int bounce) {
     const GlGroup group(gl_, pass_names[static_cast<std::size_t>(pass)]);
     prepare(pass, bounce);
-    if (config_.count_shaded || t_.group.persistent > 0) t_.reset_counts();
+    if (config_.count_shaded || t_.compute.persistent > 0) t_.reset_counts();
     t_.timer.begin(pass);
     run(pass);
     t_.timer.end();

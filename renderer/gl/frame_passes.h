@@ -36,6 +36,8 @@ class FramePasses {
     virtual void finish(Pass /*pass*/) {}
 
     static Step step_of(Pass pass) { return static_cast<Step>(pass); }
+    /// Sets the tile to untraced, and limits drawing to it.
+    void clear_tile();
     /// Copies the tile.
     void copy(const GlTexture& from, const GlTexture& to);
 

@@ -6,6 +6,7 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/encode.h"
+#include "renderer/scene/needs_sizes.h"
 
 namespace kd {
 
@@ -77,8 +78,9 @@ void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlL
     check_node_numbers(sizes, nodes);
     check_storage("the tree's nodes", bytes_of(nodes) * sizes.nodes, limits.storage_bytes,
                   wide ? "use --nodes 8, larger leaves or --tracer gl-fragment" : "use larger leaves or --tracer cpu");
-    // Of 16 bits where all triangles can be told by them (renderer/scene/needs.h).
-    check_storage("the leaf lists", 2 * sizes.references, limits.storage_bytes, "use larger leaves or --tracer cpu");
+    const bool wide_lists = has(sizes.triangles > narrow_numbers, Feature::wide_references);
+    check_storage("the leaf lists", (wide_lists ? 4 : 2) * sizes.references, limits.storage_bytes,
+                  "use larger leaves or --tracer cpu");
     if (has(config.leaf_lists == LeafLists::duplicated, Feature::leaf_copies))
         check_table("copied leaf lists", 3 * sizes.references, 16, limits, "use leaf lists of references");
     if (has(info(config.traversal).has(walk_boxes) || enters_by_tile(config), Feature::node_boxes))

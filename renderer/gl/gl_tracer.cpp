@@ -11,17 +11,12 @@ namespace kd {
 
 namespace {
 
-GlLimits limits_of(const GlApi& gl, GlMode mode) {
+GlLimits limits_of(const GlApi& gl) {
     GLint texels = 0;
     GLint size = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-    GlLimits limits{texels, size};
-    if (mode == GlMode::fragment) return limits;
-    GLint64 bytes = 0;
-    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-    limits.storage_bytes = bytes;
-    return limits;
+    return {texels, size};
 }
 
 /// Takes back at the end, also of a failure, that programs are being compiled.
@@ -41,8 +36,15 @@ class CompilingNote {
 }  // namespace
 
 GlTracer::Impl::Impl(Context& context, GlMode how)
-    : gl(context.gl()), mode(how), group(work_group_in_force()), software(context.is_software()),
-      limits(limits_of(gl, how)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
+    : gl(context.gl()), mode(how), compute(compute_settings_in_force()), software(context.is_software()),
+      limits(limits_of(gl)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
+    if (!compute.storage) compute.storage = !software;
+    if (mode != GlMode::fragment && *compute.storage) {
+        GLint64 bytes = 0;
+        gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+        limits.storage_bytes = bytes;
+    }
+    if (software) compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
@@ -58,7 +60,7 @@ SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_ne
 ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     ProgramSettings settings;
     settings.mode = mode;
-    settings.group = group;
+    settings.compute = compute;
     settings.trace = config;
     settings.needs = needs_of(config);
     settings.limited_loops = software;

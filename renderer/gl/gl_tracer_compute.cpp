@@ -12,7 +12,7 @@ class ComputedPasses : public FramePasses {
     using FramePasses::FramePasses;
 
   private:
-    void enter_tile() override {}
+    void enter_tile() override { clear_tile(); }
 
     void prepare(Pass pass, int bounce) override {
         (void)t_.program(step_of(pass), settings_);
@@ -45,10 +45,10 @@ void bind_images(const GlApi& gl, const ImageSet& images) {
 
 void GlTracer::Impl::dispatch(int width, int height) const {
     // Over no pixel too: drivers finish compiling when a program first runs.
-    const int columns = std::max(1, (width + group.x - 1) / group.x);
-    const int rows = std::max(1, (height + group.y - 1) / group.y);
-    if (group.persistent > 0)
-        gl.DispatchCompute(GLuint(std::min(group.persistent, columns * rows)), 1, 1);
+    const int columns = std::max(1, (width + compute.x - 1) / compute.x);
+    const int rows = std::max(1, (height + compute.y - 1) / compute.y);
+    if (compute.persistent > 0)
+        gl.DispatchCompute(GLuint(std::min(compute.persistent, columns * rows)), 1, 1);
     else
         gl.DispatchCompute(GLuint(columns), GLuint(rows), 1);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |

@@ -13,10 +13,7 @@ class DrawnPasses : public FramePasses {
     void enter_tile() override {
         const TargetKey& key = t_.targets.key();
         gl_.Viewport(0, 0, key.width, key.height);
-        gl_.Enable(GL_SCISSOR_TEST);
-        gl_.Scissor(tile_.x0, tile_.y0, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
-        const Vec3 background = t_.scene().scene().background;
-        t_.targets.clear(gl_, {background.x, background.y, background.z, 1.0f});
+        clear_tile();
         gl_.Enable(GL_DEPTH_TEST);
     }
 

@@ -4,18 +4,18 @@
 
 #include <optional>
 
+#include "renderer/gl/compute_settings.h"
 #include "renderer/gl/frame_targets.h"
 #include "renderer/gl/pass_programs.h"
 #include "renderer/gl/pass_timer.h"
 #include "renderer/gl/scene_upload.h"
-#include "renderer/gl/work_group.h"
 
 namespace kd {
 
 struct GlTracer::Impl {
     const GlApi& gl;
     GlMode mode;
-    WorkGroup group;  // of compute shaders
+    ComputeSettings compute;  // of compute shaders
     bool software;
     bool corrected_rounding = !software;
     GlLimits limits;

@@ -45,10 +45,11 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
         return {{"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
                 {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)}};
     return {{"KD_WIDE_REFERENCES", flag(s.needs.wide_references && walks)},
-            {"KD_GROUP_X", std::to_string(s.group.x)},
-            {"KD_GROUP_Y", std::to_string(s.group.y)},
-            {"KD_MORTON", flag(s.group.morton)},
-            {"KD_PERSISTENT", flag(s.group.persistent > 0)}};
+            {"KD_GROUP_X", std::to_string(s.compute.x)},
+            {"KD_GROUP_Y", std::to_string(s.compute.y)},
+            {"KD_MORTON", flag(s.compute.morton)},
+            {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
+            {"KD_STORAGE", flag(s.compute.storage.value_or(true))}};
 }
 
 }  // namespace

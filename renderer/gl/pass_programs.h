@@ -1,9 +1,9 @@
 // Which program each step of a frame needs.
 #pragma once
 
+#include "renderer/gl/compute_settings.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/gl/program.h"
-#include "renderer/gl/work_group.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
@@ -15,7 +15,7 @@ enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays };
 /// What decides a program beside its step.
 struct ProgramSettings {
     GlMode mode = GlMode::fragment;
-    WorkGroup group;  // of compute shaders
+    ComputeSettings compute;  // where the mode is not fragment
     TraceConfig trace;
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;

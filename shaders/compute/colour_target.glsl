@@ -19,5 +19,5 @@ void leave_colour(int2 pixel, real3 colour)
 
 void add_colour(int2 pixel, real3 colour)
 {
-    if (colour != real3(0, 0, 0)) imageStore(kd_colour, pixel, imageLoad(kd_colour, pixel) + vec4(colour, 0.0));
+    imageStore(kd_colour, pixel, imageLoad(kd_colour, pixel) + vec4(colour, 0.0));
 }

@@ -9,6 +9,9 @@ layout(rgba32ui, binding = 1) restrict uniform uimage2D kd_counters_b;
 layout(binding = 0, offset = 0) uniform atomic_uint shaded_pixels;
 #endif
 
+/// What is not stored stays as it was cleared, or as an earlier bounce left it.
+const bool keeps_what_is_cleared = true;
+
 void leave_hit(int2 pixel, Hit hit)
 {
     imageStore(kd_hit, pixel, pack_hit(hit));

@@ -12,6 +12,9 @@ layout(binding = 14) uniform usampler2D kd_earlier_counters_b;
 #endif
 #endif
 
+/// What a fragment shader does not write is undefined; pixels without work are culled before it runs, or do it all.
+const bool keeps_what_is_cleared = false;
+
 void leave_hit(int2 pixel, Hit hit)
 {
     out_hit = pack_hit(hit);

@@ -2,7 +2,6 @@
 
 void run_pass(int2 pixel)
 {
-    begin_counters(pixel);
     Path path = path_before_bounce(pixel);
     Path next = path;
     next.hit = nothing_found();
@@ -10,6 +9,11 @@ void run_pass(int2 pixel)
     // Where depth culls, it has culled the other pixels already.
     bool has_work = goes_on(path);
     count_shaded(has_work);
+    if (keeps_what_is_cleared && !has_work) {
+        end_path(pixel);
+        return;
+    }
+    begin_counters(pixel);
     if (has_work) next = trace_reflection(path);
     leave_path(pixel, next);
     leave_counters(pixel);

@@ -112,7 +112,8 @@
 #define KD_LOOP_LIMIT 0
 #endif
 
-// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left.
+// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left;
+// 1: what walks read lies in storage buffers, 0: in textures.
 #ifndef KD_GROUP_X
 #define KD_GROUP_X 8
 #endif
@@ -121,6 +122,9 @@
 #endif
 #ifndef KD_MORTON
 #define KD_MORTON 0
+#endif
+#ifndef KD_STORAGE
+#define KD_STORAGE 1
 #endif
 #ifndef KD_PERSISTENT
 #define KD_PERSISTENT 0

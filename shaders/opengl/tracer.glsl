@@ -1,6 +1,6 @@
-// The tracer on tables that are there already (tables.glsl of each kind of shader): hooks and the shared text.
+// The tracer on tables that are there already (texture_tables.glsl or another): hooks and the shared text.
 
-#include "attributes.glsl"
+#include "attribute_tables.glsl"
 #include "scene_hooks.glsl"
 #include "observer_hooks.glsl"
 #include "shared/kernel.glsl"

@@ -1,5 +1,5 @@
-// What walks read, from texture buffers. No SSBO: llvmpipe reads those wrongly in fragment shaders on partly covered
-// blocks of pixels. renderer/gl/bindings.h holds the same numbers.
+// What walks read, from texture buffers. Fragment shaders have no other tables: llvmpipe reads storage buffers wrongly
+// there, on partly covered blocks of pixels. renderer/gl/bindings.h holds the same numbers.
 
 #if KD_PACKED_NODES
 layout(binding = 0) uniform usamplerBuffer kd_nodes;      // two words: split or count; kind and link

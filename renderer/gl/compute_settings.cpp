@@ -1,4 +1,4 @@
-#include "renderer/gl/work_group.h"
+#include "renderer/gl/compute_settings.h"
 
 #include <bit>
 #include <charconv>
@@ -15,7 +15,8 @@ constexpr int most_pixels = 1024;
 constexpr int most_groups = 65535;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
-    throw InputError(fmt::format("KDSCOPE_GROUP '{}': {}; say 16x8, 16x16,morton or 8x4,persistent:1056", text, why));
+    throw InputError(
+        fmt::format("KDSCOPE_COMPUTE '{}': {}; say 16x8, 16x16,linear or 8x4,persistent:1056,storage", text, why));
 }
 
 /// All of `digits` as a number from 1 to `most`.
@@ -34,36 +35,38 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
+void take_word(std::string_view text, std::string_view word, ComputeSettings& group) {
+    constexpr std::string_view persistent = "persistent:";
+    if (word == "linear")
+        group.morton = false;
+    else if (word == "storage" || word == "textures")
+        group.storage = word == "storage";
+    else if (word.starts_with(persistent))
+        group.persistent = number(text, word.substr(persistent.size()), most_groups);
+    else
+        refuse(text, fmt::format("'{}' is unknown", word));
+}
+
 }  // namespace
 
-WorkGroup parse_work_group(std::string_view text) {
+ComputeSettings parse_compute_settings(std::string_view text) {
     std::string_view rest = text;
     const std::string_view size = next_word(rest);
     const std::size_t cross = size.find('x');
     if (cross == std::string_view::npos) refuse(text, "it begins with no size");
-    WorkGroup group;
+    ComputeSettings group;
     group.x = number(text, size.substr(0, cross), most_pixels);
     group.y = number(text, size.substr(cross + 1), most_pixels);
     if (group.x * group.y > most_pixels) refuse(text, fmt::format("a group has at most {} pixels", most_pixels));
-    constexpr std::string_view persistent = "persistent:";
-    while (!rest.empty()) {
-        const std::string_view word = next_word(rest);
-        if (word == "morton")
-            group.morton = true;
-        else if (word.starts_with(persistent))
-            group.persistent = number(text, word.substr(persistent.size()), most_groups);
-        else
-            refuse(text, fmt::format("'{}' is unknown", word));
-    }
     const bool square = group.x == group.y || group.x == 2 * group.y;
-    if (group.morton && !(square && std::has_single_bit(unsigned(group.x))))
-        refuse(text, "Morton order fills squares of 2, 4, 8, ... pixels, and two of them side by side");
+    group.morton = square && std::has_single_bit(unsigned(group.x));
+    while (!rest.empty()) take_word(text, next_word(rest), group);
     return group;
 }
 
-WorkGroup work_group_in_force() {
-    const char* said = std::getenv("KDSCOPE_GROUP");
-    return said && *said ? parse_work_group(said) : WorkGroup{};
+ComputeSettings compute_settings_in_force() {
+    const char* said = std::getenv("KDSCOPE_COMPUTE");
+    return said && *said ? parse_compute_settings(said) : ComputeSettings{};
 }
 
 }  // namespace kd
