@@ -8,16 +8,15 @@
 namespace kd {
 namespace {
 
-using test::context_name;
-using test::ContextTest;
+using test::MachineTest;
 
-class RaysGl : public ContextTest {
+class RaysGl : public MachineTest {
   protected:
     void compare(const FlatScene& scene, std::span<const Ray> rays, bool any_hit,
                  NodeEncoding nodes = NodeEncoding::float4) {
         const KdTree tree = build_tree(scene.triangles, {});
         CpuTracer cpu(scene, tree);
-        GlTracer gl_tracer(*context);
+        GlTracer gl_tracer(*context, mode());
         gl_tracer.upload(scene, tree);
         compare(cpu, gl_tracer, rays, any_hit, nodes);
         if (!context->is_software() || nodes != NodeEncoding::float4) return;
@@ -61,7 +60,7 @@ class RaysGl : public ContextTest {
         }
     }
 };
-KD_FOR_ALL_CONTEXTS(RaysGl);
+KD_FOR_ALL_MACHINES(RaysGl);
 
 TEST_P(RaysGl, UnkindRaysThroughASoup) {
     const FlatScene scene = test::scene_of(test::random_soup(300, 0.2f, 11));
@@ -124,7 +123,7 @@ TEST_P(RaysGl, WithoutCounters) {
     const FlatScene scene = test::scene_of(test::random_soup(100, 0.3f, 4));
     const KdTree tree = build_tree(scene.triangles, {});
     const std::vector<Ray> rays = test::unkind_rays(scene.triangles, 100, 5);
-    GlTracer tracer(*context);
+    GlTracer tracer(*context, mode());
     tracer.upload(scene, tree);
     std::vector<Hit> counted(rays.size()), plain(rays.size());
     std::vector<RayCounters> counters(rays.size());
