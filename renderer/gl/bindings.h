@@ -26,6 +26,11 @@ enum class Unit : unsigned {
     entries = path_hit,  // nor has rt_prim.glsl
 };
 
+// Storage buffers behind the tables (shaders/wavefront).
+inline constexpr unsigned ray_states = 5;
+inline constexpr unsigned queue_counts = 6;
+inline constexpr unsigned ray_queues = 7;
+
 inline constexpr unsigned scene_block = 0;  // uniform buffers
 inline constexpr unsigned frame_block = 1;
 inline constexpr unsigned counts_buffer = 0;  // atomic counter buffer

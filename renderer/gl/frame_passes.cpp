@@ -18,6 +18,7 @@ gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCam
         .criteria = {config.trace.least_contribution, 0.0f, 0.0f, 0.0f},
         .entry = {entries.x0, entries.y0, entries.tile, entries.columns},
         .tile = {tile.x0, tile.y0, tile.x1, tile.y1},
+        .wave = {},
     };
 }
 
@@ -102,7 +103,8 @@ void GlTracer::Impl::draw_tile(const GlTraceConfig& config, const PinholeCamera&
                                GlFrameReport& report) {
     const EntryPoints entries = scene().entries(
         config.trace, {camera, targets.key().width, targets.key().height, tile.x0, tile.y0, tile.x1, tile.y1});
-    frame_block.set(gl, encode_block(config, camera, targets.key(), entries, tile));
+    frame_values = encode_block(config, camera, targets.key(), entries, tile);
+    frame_block.set(gl, frame_values);
     BufferTexture table;
     if (enters_by_tile(config.trace)) {
         table = BufferTexture(gl, GL_R32I, entries.nodes, "entry points");

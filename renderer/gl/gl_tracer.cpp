@@ -39,12 +39,13 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
     : gl(context.gl()), mode(how), compute(compute_settings_in_force()), software(context.is_software()),
       limits(limits_of(gl)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
     if (!compute.storage) compute.storage = !software;
-    if (mode != GlMode::fragment && *compute.storage) {
+    if (mode == GlMode::wavefront || (mode == GlMode::compute && *compute.storage)) {
         GLint64 bytes = 0;
         gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
         limits.storage_bytes = bytes;
     }
-    if (software) compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
+    if (software || mode == GlMode::wavefront)
+        compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
@@ -85,8 +86,13 @@ void GlTracer::Impl::draw_quad() const {
 
 void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height) {
     check_image(width, height, limits);
+    if (mode == GlMode::wavefront) check_wavefront(config);
     const SceneNeeds needs = needs_of(config);
     scene().prepare(config, needs);
+    if (mode == GlMode::wavefront) {
+        const auto lights = std::max<std::int64_t>(1, std::ssize(scene().scene().lights));
+        queues.reserve(gl, lights * width * height, words_per_ray(config, needs), limits.storage_bytes);
+    }
     const TargetKey key = target_key(needs, width, height);
     if (targets.key() == key) return;
     targets = FrameTargets();  // lets go of the old ones first
@@ -148,6 +154,7 @@ GlMemory GlTracer::memory() const {
     GlMemory memory;
     if (impl_->uploaded) impl_->uploaded->add_to(memory);
     memory.targets = impl_->targets.bytes();
+    memory.rays = impl_->queues.bytes();
     return memory;
 }
 

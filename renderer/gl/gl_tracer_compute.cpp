@@ -15,7 +15,10 @@ class ComputedPasses : public FramePasses {
     void enter_tile() override { clear_tile(); }
 
     void prepare(Pass pass, int bounce) override {
-        (void)t_.program(step_of(pass), settings_);
+        if (t_.mode == GlMode::wavefront)
+            (void)t_.wavefront_programs(step_of(pass), settings_);
+        else
+            (void)t_.program(step_of(pass), settings_);
         const LayerTargets& layer = t_.targets.layer(pass);
         ImageSet images{layer.counters_a.id(), layer.counters_b.id(), layer.hit.id(), 0, 0};
         if (pass == Pass::rt_refl) {
@@ -29,6 +32,7 @@ class ComputedPasses : public FramePasses {
     }
 
     void run(Pass pass) override {
+        if (t_.mode == GlMode::wavefront) return t_.run_wavefront(step_of(pass), settings_, tile_);
         gl_.UseProgram(t_.program(step_of(pass), settings_));
         t_.dispatch(tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
     }

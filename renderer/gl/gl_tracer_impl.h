@@ -1,5 +1,6 @@
 // What a GlTracer holds. The parts: gl_tracer.cpp (upload, prepare), frame_passes.cpp (the passes; gl_tracer_draw.cpp
-// and gl_tracer_compute.cpp run them), gl_tracer_read.cpp (back to a Frame), gl_tracer_rays.cpp (rays from a table).
+// and gl_tracer_compute.cpp run them, gl_tracer_wavefront.cpp those that are many kernels), gl_tracer_read.cpp (back to
+// a Frame), gl_tracer_rays.cpp (rays from a table).
 #pragma once
 
 #include <optional>
@@ -8,9 +9,17 @@
 #include "renderer/gl/frame_targets.h"
 #include "renderer/gl/pass_programs.h"
 #include "renderer/gl/pass_timer.h"
+#include "renderer/gl/ray_queues.h"
 #include "renderer/gl/scene_upload.h"
 
 namespace kd {
+
+/// The programs of a step of GlMode::wavefront: `walks` is false where it has no rays and `answer` does all.
+struct WavefrontPrograms {
+    bool walks = false;
+    GLuint ask = 0, answer = 0;
+    std::array<GLuint, 2> plan{}, walk{};
+};
 
 struct GlTracer::Impl {
     const GlApi& gl;
@@ -23,9 +32,11 @@ struct GlTracer::Impl {
     PassTimer timer;
     GlVertexArray no_vertices;  // a core context draws with one bound, even an empty one
     UniformBuffer<gl_blocks::FrameBlock> frame_block;
-    GlBuffer counts;  // shaded pixels; groups taken by persistent work groups
+    gl_blocks::FrameBlock frame_values{};  // what was set last for a whole tile
+    GlBuffer counts;                       // shaded pixels; groups taken by persistent work groups
     std::optional<SceneUpload> uploaded;
     FrameTargets targets;
+    RayQueues queues;  // of GlMode::wavefront
     std::function<void(int)> told_compiling;
     int compiling = 0;
 
@@ -41,6 +52,10 @@ struct GlTracer::Impl {
     void draw_quad() const;
     /// Runs the compute program in use over so many pixels; what it stores can then be read in any way.
     void dispatch(int width, int height) const;
+
+    [[nodiscard]] WavefrontPrograms wavefront_programs(Step step, ProgramSettings settings);
+    /// A step over a tile of frame_values, in as many parts as its rays need.
+    void run_wavefront(Step step, const ProgramSettings& settings, const Tile& tile);
 
     /// Tables and targets for a configuration; keeps what fits.
     void make_ready(const TraceConfig& config, int width, int height);

@@ -14,10 +14,10 @@ Hit earlier_hit(int2 pixel)
 
 void leave_colour(int2 pixel, real3 colour)
 {
-    imageStore(kd_colour, pixel, vec4(colour, 1.0));
+    KD_STORE(kd_colour, pixel, vec4(colour, 1.0));
 }
 
 void add_colour(int2 pixel, real3 colour)
 {
-    imageStore(kd_colour, pixel, imageLoad(kd_colour, pixel) + vec4(colour, 0.0));
+    KD_STORE(kd_colour, pixel, imageLoad(kd_colour, pixel) + vec4(colour, 0.0));
 }

@@ -25,7 +25,11 @@ int2 place_in_group()
 void run_in_tile(int2 group)
 {
     int2 pixel = frame.tile.xy + group * int2(KD_GROUP_X, KD_GROUP_Y) + place_in_group();
-    if (pixel.x < frame.tile.z && pixel.y < frame.tile.w) run_pass(pixel);
+    if (pixel.x >= frame.tile.z || pixel.y >= frame.tile.w) return;
+#if KD_PHASE
+    next_slot = ((pixel.y - frame.tile.y) * (frame.tile.z - frame.tile.x) + pixel.x - frame.tile.x) * frame.wave.y;
+#endif
+    run_pass(pixel);
 }
 
 #if KD_PERSISTENT

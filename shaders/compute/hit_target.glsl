@@ -9,12 +9,19 @@ layout(rgba32ui, binding = 1) restrict uniform uimage2D kd_counters_b;
 layout(binding = 0, offset = 0) uniform atomic_uint shaded_pixels;
 #endif
 
+// A pass that only asks for its rays has nothing to leave yet.
+#if KD_PHASE == 1
+#define KD_STORE(image, pixel, texel)
+#else
+#define KD_STORE(image, pixel, texel) imageStore(image, pixel, texel)
+#endif
+
 /// What is not stored stays as it was cleared, or as an earlier bounce left it.
 const bool keeps_what_is_cleared = true;
 
 void leave_hit(int2 pixel, Hit hit)
 {
-    imageStore(kd_hit, pixel, pack_hit(hit));
+    KD_STORE(kd_hit, pixel, pack_hit(hit));
 }
 
 /// Counters of a later bounce go on where the earlier ones stopped.
@@ -29,15 +36,15 @@ void leave_counters(int2 pixel)
 {
 #if KD_COUNTERS
     check_loops();
-    imageStore(kd_counters_a, pixel, first_counters());
-    imageStore(kd_counters_b, pixel, second_counters());
+    KD_STORE(kd_counters_a, pixel, first_counters());
+    KD_STORE(kd_counters_b, pixel, second_counters());
 #endif
 }
 
 /// No depth culls here: pixels without work are passed over by the shader.
 void count_shaded(bool has_work)
 {
-#if KD_COUNT_SHADED
+#if KD_COUNT_SHADED && KD_PHASE != 1
     if (has_work) atomicCounterIncrement(shaded_pixels);
 #endif
 }

@@ -6,14 +6,14 @@ layout(rgba32f, binding = 4) restrict writeonly uniform image2D kd_weight;
 void leave_path(int2 pixel, Path path)
 {
     leave_hit(pixel, path.hit);
-    imageStore(kd_direction, pixel, vec4(path.ray.direction, 0.0));
-    imageStore(kd_weight, pixel, vec4(path.weight, 0.0));
+    KD_STORE(kd_direction, pixel, vec4(path.ray.direction, 0.0));
+    KD_STORE(kd_weight, pixel, vec4(path.weight, 0.0));
 }
 
 /// The weight of two bounces before stands there still.
 void end_path(int2 pixel)
 {
 #if KD_LATER_BOUNCE
-    imageStore(kd_weight, pixel, vec4(0.0));
+    KD_STORE(kd_weight, pixel, vec4(0.0));
 #endif
 }

@@ -6,16 +6,9 @@
 #include "tracer.glsl"
 #include "hit_target.glsl"
 #include "opengl/ray_io.glsl"
-#include "stepper.glsl"
-#if KD_STEPS == 0
-#include "stack_steps.glsl"
-#elif KD_STEPS == 2
-#include "backtrack_steps.glsl"
-#elif KD_STEPS == 5
-#include "ropes_steps.glsl"
-#else
-#include "from_top_steps.glsl"
-#endif
+#include "steps/stepper.glsl"
+#include "steps/local_stack.glsl"
+#include "steps/steps.glsl"
 
 layout(location = 3) out uvec4 out_ballots; // led iterations, led lanes: of each first at interior nodes, then at leaves
 layout(location = 4) out uvec4 out_place;   // group (number of a pixel in it), lane, multiprocessor, lanes of a group

@@ -23,4 +23,5 @@ struct FrameBlock {
     real4 criteria; // x = least contribution of a reflection
     int4 entry;     // of tiles with entry points: the first pixel, pixels each way, tiles in a row
     int4 tile;      // the pixels drawn: first column and row, and those behind the last
+    int4 wave;      // of rays with their state in buffers: slots, slots per pixel
 };

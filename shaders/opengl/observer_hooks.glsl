@@ -35,6 +35,19 @@ void check_loops()
 #endif
 }
 
+/// Of a ray of the same invocation.
+void add_counters(RayCounters other)
+{
+    counters.interior_first += other.interior_first;
+    counters.interior_again += other.interior_again;
+    counters.leaves += other.leaves;
+    counters.triangle_tests += other.triangle_tests;
+    counters.restarts += other.restarts;
+    counters.backtracks += other.backtracks;
+    counters.stack_depth = max(counters.stack_depth, other.stack_depth);
+    counters.exit_reason = max(counters.exit_reason, other.exit_reason);
+}
+
 /// Counters as two texels.
 uvec4 first_counters()
 {

@@ -129,3 +129,23 @@
 #ifndef KD_PERSISTENT
 #define KD_PERSISTENT 0
 #endif
+
+// 0: rays walk where they are made; 1: they are put into queues, and nothing else is done; 2: their answers are read.
+#ifndef KD_PHASE
+#define KD_PHASE 0
+#endif
+
+// Of kernels that walk step by step: whose steps (0 stack, 1 restart, 2 backtrack, 3 push-down, 4 short stack, 5 ropes), the
+// words of a ray's state at which its walk and its stack begin, and the queue that is planned.
+#ifndef KD_STEPS
+#define KD_STEPS 0
+#endif
+#ifndef KD_WALK_WORD
+#define KD_WALK_WORD 24
+#endif
+#ifndef KD_STACK_WORD
+#define KD_STACK_WORD 32
+#endif
+#ifndef KD_QUEUE
+#define KD_QUEUE 0
+#endif

@@ -3,7 +3,11 @@
 #include "attribute_tables.glsl"
 #include "scene_hooks.glsl"
 #include "observer_hooks.glsl"
+#if KD_PHASE
+#include "wavefront/kernel.glsl"
+#else
 #include "shared/kernel.glsl"
+#endif
 
 PinholeCamera frame_camera()
 {
