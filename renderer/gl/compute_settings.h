@@ -18,7 +18,7 @@ struct ComputeSettings {
     int persistent = 0;
     // Nodes, leaf lists and triangles from storage buffers or from textures; empty: from storage buffers on hardware,
     // from textures on llvmpipe, which reads those a third faster.
-    std::optional<bool> storage;
+    std::optional<bool> storage = {};
 
     bool operator==(const ComputeSettings&) const = default;
 };

@@ -39,7 +39,7 @@ std::vector<Case> in_all_modes(const std::vector<Case>& cases) {
     for (const GlMode mode : gl_modes)
         for (Case each : cases) {
             each.mode = mode;
-            all.push_back(each);
+            if (test::traces(mode, {.traversal = each.traversal})) all.push_back(each);
         }
     return all;
 }
