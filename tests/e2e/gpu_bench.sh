@@ -48,3 +48,10 @@ clean gpu-bench/gpu-bench out --rays 5 2>/dev/null || status=$?
 status=0
 "$KD_SOURCE_DIR/tools/gpu-bench" pack x.tar.xz /nowhere 2>said.txt || status=$?
 grep -q 'no program /nowhere' said.txt && ((status == 1)) || fail "a missing program is told"
+# Over ssh: the same, there and back. A stand-in runs on this machine what it is asked to run on another.
+mkdir -p ../stand_in
+printf '#!/usr/bin/env bash\nshift\nexec bash -c "$*"\n' >../stand_in/ssh
+printf '#!/usr/bin/env bash\nargs=()\nfor a; do [[ $a == -* ]] || args+=("${a#there:}"); done\nexec cp -r "${args[@]}"\n' >../stand_in/scp
+chmod +x ../stand_in/ssh ../stand_in/scp
+PATH=$PWD/../stand_in:$PATH "$KD_SOURCE_DIR/tools/gpu-bench" over ssh there fetched "${tiny[@]}" >said.txt || fail "over ssh: $(cat said.txt)"
+python3 -c 'import json; assert json.load(open("fetched/report.json"))["passed"] is True' || fail "the report over ssh"
