@@ -2,6 +2,7 @@
 #include "renderer/gl/compute_settings.h"
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/multiprocessors.h"
 #include "renderer/trace/counters.h"
 #include "tests/gl/gl_test.h"
 #include "tests/support/environment_variable.h"
@@ -76,6 +77,16 @@ TEST_P(ComputeGl, CountsThePixelsThatHadWork) {
     EXPECT_EQ(reports[1].shaded_pixels, reports[0].shaded_pixels);
     EXPECT_GT(reports[0].shaded_pixels[2], 0);
     EXPECT_LT(reports[0].shaded_pixels[2], width * height);
+}
+
+TEST_P(ComputeGl, CountsMultiprocessorsWhereTheDriverTells) {
+    for (const GlMode mode : gl_modes) {
+        const std::optional<Multiprocessors> counted = multiprocessors_used(gl(), mode, 256, 256);
+        EXPECT_EQ(counted.has_value(), ballot_support(gl()).multiprocessors);
+        if (!counted) continue;
+        EXPECT_GE(counted->used, 1);
+        EXPECT_LE(counted->used, counted->there);
+    }
 }
 
 }  // namespace
