@@ -28,6 +28,7 @@ class Kernel {
     /// Pending cells of the ray that the walks that follow do not know of: what is told of depths counts them.
     void begin_above(int cells) { pending_before = cells; }
 
+    KD_FN real3 background() const { return scene_background(); }
     KD_FN const LeafBlock* block_at(int place) const { return blocks + place; }
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }

@@ -124,20 +124,22 @@ class PacketWalk {
     KD_FN void test(int node, const KdNode& leaf, const Mask& lanes) {
         observe(lanes, [&](int lane) { observers_[lane].on_leaf(node); });
         if (leaf.count == 0) return;
-        const LeafBlock* block = kernel_.block_at(leaf.link);
         const L origin_x = L::load(batch_.origin[x_]), origin_y = L::load(batch_.origin[y_]),
                 origin_z = L::load(batch_.origin[z_]);
         const L shear_x = L::load(batch_.shear[0]), shear_y = L::load(batch_.shear[1]);
-        for (int i = 0; i < leaf.count; ++i) {
-            observe(lanes, [&](int lane) { observers_[lane].on_triangle(i); });
-            const LeafBlock& of = block[i / block_size];
-            const auto slot = std::size_t(i % block_size);
-            const auto corner = [&](std::size_t c) -> Corner {
-                const L z = L::all(of.corner[c][std::size_t(z_)][slot]) - origin_z;
-                return {L::all(of.corner[c][std::size_t(x_)][slot]) - origin_x - shear_x * z,
-                        L::all(of.corner[c][std::size_t(y_)][slot]) - origin_y - shear_y * z, z};
+        const LeafBlock* block = kernel_.block_at(leaf.link);
+        for (int left = leaf.count; left > 0; left -= block_size, ++block) {
+            const float *x = block->corner[0][std::size_t(x_)].data(), *y = block->corner[0][std::size_t(y_)].data(),
+                        *z = block->corner[0][std::size_t(z_)].data();
+            const auto corner = [&](int i) -> Corner {
+                const L along = L::all(z[i]) - origin_z;
+                return {L::all(x[i]) - origin_x - shear_x * along, L::all(y[i]) - origin_y - shear_y * along, along};
             };
-            intersect(corner(0), corner(1), corner(2), of.triangle[slot], lanes);
+            constexpr int next = int(sizeof(block->corner[0]) / sizeof(float));  // corner of the same triangle
+            for (int i = 0; i < std::min(left, block_size); ++i) {
+                observe(lanes, [&](int lane) { observers_[lane].on_triangle(i); });
+                intersect(corner(i), corner(next + i), corner(2 * next + i), block->triangle[std::size_t(i)], lanes);
+            }
         }
     }
 

@@ -32,6 +32,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 #include "renderer/cpu/ray_batch.h"
 #include "renderer/cpu/packet_walk.h"
 #include "renderer/cpu/batch_trace.h"
+#include "renderer/cpu/pixel_batch.h"
 #include "renderer/cpu/pixel.h"
 #include "renderer/cpu/run_jobs.h"
 // clang-format on
@@ -55,9 +56,26 @@ void run_batches(const RayJob& job) {
     }
 }
 
-template <class Kernel, class Observer>
-void run_rays(const RayJob& job) {
-    if (job.config.traversal != Traversal::stack) return run_on<Kernel, Observer>(job);
+/// Blocks of N pixels, as square as they can be.
+template <class Kernel, class Observer, int N>
+void run_batches(const TileJob& job) {
+    constexpr int width = N == 4 ? 2 : 4, height = N / width;
+    Observer observer;
+    Kernel kernel(job.view, job.config, observer);
+    PixelBatch<Kernel, Observer, N> pixels(kernel, job);
+    for (int y = job.tile.y0; y < job.tile.y1; y += height)
+        for (int x = job.tile.x0; x < job.tile.x1; x += width)
+            pixels.trace({x, y, std::min(x + width, job.tile.x1), std::min(y + height, job.tile.y1)});
+}
+
+/// Batches begin at the root, and walk by the stack.
+bool can_batch(const TraceConfig& config) {
+    return config.traversal == Traversal::stack && config.step_budget == 0 && !enters_by_tile(config);
+}
+
+template <class Kernel, class Observer, class Job>
+void run_by_size(const Job& job) {
+    if (!can_batch(job.config)) return run_on<Kernel, Observer>(job);
     switch (job.view.in_force == CpuMode::packet ? job.config.packet_size : block_size) {
         case 4: return run_batches<Kernel, Observer, 4>(job);
         case 8: return run_batches<Kernel, Observer, 8>(job);
@@ -65,17 +83,16 @@ void run_rays(const RayJob& job) {
     }
 }
 
-void RunWideTileJob(const TileJob& job) {
+template <class Job>
+void run_in_blocks(const Job& job) {
     with_parts(job.view, counts(job), [&]<class Observer, class Node>(Observer, Node) {
-        run_on<Kernel<Observer, Rules::robust, Node, BlockTests>, Observer>(job);
+        run_by_size<Kernel<Observer, Rules::robust, Node, BlockTests>, Observer>(job);
     });
 }
 
-void RunWideRayJob(const RayJob& job) {
-    with_parts(job.view, counts(job), [&]<class Observer, class Node>(Observer, Node) {
-        run_rays<Kernel<Observer, Rules::robust, Node, BlockTests>, Observer>(job);
-    });
-}
+void RunWideTileJob(const TileJob& job) { run_in_blocks(job); }
+
+void RunWideRayJob(const RayJob& job) { run_in_blocks(job); }
 
 }  // namespace kd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

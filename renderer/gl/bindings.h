@@ -1,10 +1,10 @@
-// Binding points of the fragment shaders: the numbers in shaders/fragment/bindings.glsl, path_io.glsl and
-// pixel_io.glsl.
+// Binding points of the shaders: the numbers in tables.glsl and the ..._target.glsl of shaders/fragment and
+// shaders/compute, and in attributes.glsl, path_io.glsl and words.glsl of shaders/opengl.
 #pragma once
 
 namespace kd {
 
-/// Texture units. 16 are sure to exist in a fragment shader.
+/// Texture units; for compute shaders the first five are storage buffers too. 16 are sure to exist in a shader.
 enum class Unit : unsigned {
     nodes,
     boxes,
@@ -22,15 +22,20 @@ enum class Unit : unsigned {
     earlier_counters_a,
     earlier_counters_b,
     earlier_hit,
-    rays = path_hit,     // rays.frag has no path
-    entries = path_hit,  // nor has rt_prim.frag
+    rays = path_hit,     // rays.glsl has no path
+    entries = path_hit,  // nor has rt_prim.glsl
 };
+
+// Storage buffers behind the tables (shaders/wavefront).
+inline constexpr unsigned ray_states = 5;
+inline constexpr unsigned queue_counts = 6;
+inline constexpr unsigned ray_queues = 7;
 
 inline constexpr unsigned scene_block = 0;  // uniform buffers
 inline constexpr unsigned frame_block = 1;
-inline constexpr unsigned shaded_counter = 0;  // atomic counter buffer
+inline constexpr unsigned counts_buffer = 0;  // atomic counter buffer
 
-/// Draw buffers, and colour attachments with them.
+/// Draw buffers, and colour attachments with them; image units of compute shaders.
 enum class Output : unsigned { counters_a, counters_b, hit, colour, direction = colour, weight };
 inline constexpr unsigned output_count = 5;
 

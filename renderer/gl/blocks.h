@@ -1,4 +1,4 @@
-// The uniform blocks of shaders/fragment/blocks.glsl, as C++.
+// The uniform blocks of shaders/opengl/blocks.glsl, as C++.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 namespace kd::gl_blocks {
 
 using int4 = glm::ivec4;
-#include "shaders/fragment/blocks.glsl"
+#include "shaders/opengl/blocks.glsl"
 
 // std140 puts each vector of four at the next multiple of 16.
 static_assert(sizeof(SceneBlock) == 96 && offsetof(SceneBlock, counts) == 64 && offsetof(SceneBlock, limits) == 80);
-static_assert(sizeof(FrameBlock) == 128 && offsetof(FrameBlock, image) == 64 && offsetof(FrameBlock, criteria) == 96);
+static_assert(sizeof(FrameBlock) == 160 && offsetof(FrameBlock, image) == 64 && offsetof(FrameBlock, criteria) == 96);
 
 }  // namespace kd::gl_blocks

@@ -20,6 +20,8 @@ class BufferTexture {
         : BufferTexture(gl, format, std::as_bytes(std::span(data)), what) {}
 
     void bind(const GlApi& gl, Unit unit) const;
+    /// The same bytes as a storage buffer, at the unit's number.
+    void bind_storage(const GlApi& gl, Unit unit) const;
     [[nodiscard]] std::int64_t bytes() const { return bytes_; }
     explicit operator bool() const { return bool(texture_); }
 

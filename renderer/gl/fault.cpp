@@ -18,11 +18,11 @@ constexpr int draws_before_loss = 10;
 struct Faults {
     GlApi driver;  // as it was
     std::string asked;
-    std::int64_t texels = 0, side = 0, memory = 0;  // 0: as the driver says
-    int losses = 0;                                 // contexts still to be lost
-    int draws = 0;                                  // in this context
-    bool out_of_memory = false;                     // to be reported by the next glGetError
-    bool lost = false;                              // this context
+    std::int64_t texels = 0, side = 0, memory = 0, storage = 0;  // 0: as the driver says
+    int losses = 0;                                              // contexts still to be lost
+    int draws = 0;                                               // in this context
+    bool out_of_memory = false;                                  // to be reported by the next glGetError
+    bool lost = false;                                           // this context
 };
 
 Faults& faults() {
@@ -56,6 +56,11 @@ void APIENTRY get_integer(GLenum name, GLint* value) {
     if (name == GL_MAX_TEXTURE_SIZE && faults().side > 0) *value = GLint(faults().side);
 }
 
+void APIENTRY get_integer64(GLenum name, GLint64* value) {
+    faults().driver.GetInteger64v(name, value);
+    if (name == GL_MAX_SHADER_STORAGE_BLOCK_SIZE && faults().storage > 0) *value = faults().storage;
+}
+
 void APIENTRY buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
     if (!refused(size)) faults().driver.BufferData(target, size, data, usage);
 }
@@ -75,6 +80,11 @@ GLenum APIENTRY get_error() {
 void APIENTRY draw_arrays(GLenum mode, GLint first, GLsizei count) {
     ++faults().draws;
     faults().driver.DrawArrays(mode, first, count);
+}
+
+void APIENTRY dispatch(GLuint x, GLuint y, GLuint z) {
+    ++faults().draws;
+    faults().driver.DispatchCompute(x, y, z);
 }
 
 GLenum APIENTRY reset_status() {
@@ -99,6 +109,7 @@ void inject_faults(GlApi& gl) {
     f.texels = number_of(asked, "texels");
     f.side = number_of(asked, "side");
     f.memory = number_of(asked, "memory");
+    f.storage = number_of(asked, "storage");
     f.draws = 0;
     f.out_of_memory = false;
     f.lost = false;
@@ -107,6 +118,8 @@ void inject_faults(GlApi& gl) {
     gl.TexStorage2D = texture_storage;
     gl.GetError = get_error;
     gl.DrawArrays = draw_arrays;
+    gl.GetInteger64v = get_integer64;
+    gl.DispatchCompute = dispatch;
     gl.GetGraphicsResetStatus = reset_status;
 }
 

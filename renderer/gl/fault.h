@@ -10,6 +10,7 @@ namespace kd {
 ///   texels:N   a buffer texture holds N texels
 ///   side:N     a texture holds N x N pixels
 ///   memory:N   buffers and textures of more than N bytes run out of memory
+///   storage:N  a storage buffer holds N bytes
 ///   lost:N     the first N contexts that draw ten times are lost then
 /// Without the variable nothing is touched. Serves one context per thread at a time.
 void inject_faults(GlApi& gl);

@@ -14,6 +14,7 @@
     X(BindBuffer, BINDBUFFER)                                                                                          \
     X(BindBufferBase, BINDBUFFERBASE)                                                                                  \
     X(BindFramebuffer, BINDFRAMEBUFFER)                                                                                \
+    X(BindImageTexture, BINDIMAGETEXTURE)                                                                              \
     X(BindTexture, BINDTEXTURE)                                                                                        \
     X(BindVertexArray, BINDVERTEXARRAY)                                                                                \
     X(BlendEquation, BLENDEQUATION)                                                                                    \
@@ -43,6 +44,8 @@
     X(DepthFunc, DEPTHFUNC)                                                                                            \
     X(DepthMask, DEPTHMASK)                                                                                            \
     X(Disable, DISABLE)                                                                                                \
+    X(DispatchCompute, DISPATCHCOMPUTE)                                                                                \
+    X(DispatchComputeIndirect, DISPATCHCOMPUTEINDIRECT)                                                                \
     X(DrawArrays, DRAWARRAYS)                                                                                          \
     X(DrawBuffers, DRAWBUFFERS)                                                                                        \
     X(Enable, ENABLE)                                                                                                  \
@@ -57,6 +60,7 @@
     X(GenVertexArrays, GENVERTEXARRAYS)                                                                                \
     X(GetBufferSubData, GETBUFFERSUBDATA)                                                                              \
     X(GetError, GETERROR)                                                                                              \
+    X(GetInteger64v, GETINTEGER64V)                                                                                    \
     X(GetIntegerv, GETINTEGERV)                                                                                        \
     X(GetObjectLabel, GETOBJECTLABEL)                                                                                  \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)                                                                            \
@@ -77,6 +81,7 @@
     X(IsTexture, ISTEXTURE)                                                                                            \
     X(IsVertexArray, ISVERTEXARRAY)                                                                                    \
     X(LinkProgram, LINKPROGRAM)                                                                                        \
+    X(MemoryBarrier, MEMORYBARRIER)                                                                                    \
     X(ObjectLabel, OBJECTLABEL)                                                                                        \
     X(PixelStorei, PIXELSTOREI)                                                                                        \
     X(PopDebugGroup, POPDEBUGGROUP)                                                                                    \

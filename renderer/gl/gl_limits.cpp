@@ -6,6 +6,7 @@
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/kdtree/encode.h"
+#include "renderer/scene/needs_sizes.h"
 
 namespace kd {
 
@@ -15,6 +16,19 @@ void check_texels(std::string_view what, std::int64_t texels, std::int64_t limit
     if (texels > limit)
         throw InputError(fmt::format("scene on OpenGL: {} take {} texels, a texture buffer holds {} here; {}", what,
                                      texels, limit, remedy));
+}
+
+void check_storage(std::string_view what, std::int64_t bytes, std::int64_t limit, std::string_view remedy) {
+    if (bytes > limit)
+        throw InputError(fmt::format("scene on OpenGL: {} take {} bytes, a storage buffer holds {} here; {}", what,
+                                     bytes, limit, remedy));
+}
+
+/// Of a table that walks read.
+void check_table(std::string_view what, std::int64_t texels, std::int64_t bytes_per_texel, const GlLimits& limits,
+                 std::string_view remedy) {
+    check_texels(what, texels, limits.buffer_texels, remedy);
+    check_storage(what, texels * bytes_per_texel, limits.storage_bytes, remedy);
 }
 
 void check_number(std::string_view what, std::int64_t largest, std::string_view where, std::int64_t limit,
@@ -52,7 +66,7 @@ UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree) {
 void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
     check_texels("the tree's nodes", sizes.nodes, limits.buffer_texels, "use larger leaves or --tracer cpu");
     check_texels("the leaf lists", sizes.references, limits.buffer_texels, "use larger leaves or --tracer cpu");
-    check_texels("the triangles", 3 * sizes.triangles, limits.buffer_texels, "use a smaller scene or --tracer cpu");
+    check_table("the triangles", 3 * sizes.triangles, 16, limits, "use a smaller scene or --tracer cpu");
     check_texels("the images", sizes.texels, limits.buffer_texels, "use smaller images or --tracer cpu");
     check_texels("materials and lights", sizes.table_texels, limits.buffer_texels, "use fewer or --tracer cpu");
 }
@@ -60,13 +74,19 @@ void check_upload(const UploadSizes& sizes, const GlLimits& limits) {
 void check_config(const UploadSizes& sizes, const TraceConfig& config, const GlLimits& limits) {
     const auto has = [&](bool needed, Feature feature) { return needed || config.forced.has(feature); };
     const bool wide = has(nodes_in_force(config) == NodeEncoding::float4, Feature::wide_nodes);
-    check_node_numbers(sizes, wide ? NodeEncoding::float4 : NodeEncoding::packed);
+    const NodeEncoding nodes = wide ? NodeEncoding::float4 : NodeEncoding::packed;
+    check_node_numbers(sizes, nodes);
+    check_storage("the tree's nodes", bytes_of(nodes) * sizes.nodes, limits.storage_bytes,
+                  wide ? "use --nodes 8, larger leaves or --tracer gl-fragment" : "use larger leaves or --tracer cpu");
+    const bool wide_lists = has(sizes.triangles > narrow_numbers, Feature::wide_references);
+    check_storage("the leaf lists", (wide_lists ? 4 : 2) * sizes.references, limits.storage_bytes,
+                  "use larger leaves or --tracer cpu");
     if (has(config.leaf_lists == LeafLists::duplicated, Feature::leaf_copies))
-        check_texels("copied leaf lists", 3 * sizes.references, limits.buffer_texels, "use leaf lists of references");
+        check_table("copied leaf lists", 3 * sizes.references, 16, limits, "use leaf lists of references");
     if (has(info(config.traversal).has(walk_boxes) || enters_by_tile(config), Feature::node_boxes))
-        check_texels("the boxes of all nodes", 2 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
+        check_table("the boxes of all nodes", 2 * sizes.nodes, 16, limits, "use --traversal stack");
     if (has(info(config.traversal).has(walk_ropes), Feature::ropes)) {
-        check_texels("boxes and ropes of all nodes", 4 * sizes.nodes, limits.buffer_texels, "use --traversal stack");
+        check_table("boxes and ropes of all nodes", 4 * sizes.nodes, 16, limits, "use --traversal stack");
         check_number("nodes", sizes.nodes, "the float texels of ropes", float_index_limit, "use --traversal stack");
     }
     if (config.traversal == Traversal::naive) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "renderer/kdtree/tree.h"
 #include "renderer/scene/scene.h"
@@ -22,6 +23,8 @@ inline constexpr int gl_sure_steps = 65535 / 3;
 struct GlLimits {
     std::int64_t buffer_texels = 65536;  // GL_MAX_TEXTURE_BUFFER_SIZE; the default is what OpenGL 4.3 guarantees
     std::int64_t texture_size = 16384;   // GL_MAX_TEXTURE_SIZE
+    // GL_MAX_SHADER_STORAGE_BLOCK_SIZE where tables are read from storage buffers
+    std::int64_t storage_bytes = std::numeric_limits<std::int64_t>::max();
 };
 
 /// What uploading asks for.

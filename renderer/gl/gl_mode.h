@@ -12,6 +12,8 @@ enum class GlMode {
     wavefront,  // small kernels with the state of every ray in buffers (Purcell, Buck, Mark, Hanrahan 2002)
 };
 
+inline constexpr std::array gl_modes{GlMode::fragment, GlMode::compute, GlMode::wavefront};
+
 /// "gl-fragment", "gl-compute", "gl-wavefront".
 [[nodiscard]] constexpr std::string_view tracer_name(GlMode mode) {
     constexpr std::array<std::string_view, 3> names{"gl-fragment", "gl-compute", "gl-wavefront"};

@@ -36,10 +36,18 @@ class CompilingNote {
 }  // namespace
 
 GlTracer::Impl::Impl(Context& context, GlMode how)
-    : gl(context.gl()), mode(how), software(context.is_software()), limits(limits_of(gl)), programs(gl), timer(gl, software),
-      no_vertices(gl), frame_block(gl), shaded_counter(gl) {
-    gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, shaded_counter.id());
-    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
+    : gl(context.gl()), mode(how), compute(compute_settings_in_force()), software(context.is_software()),
+      limits(limits_of(gl)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
+    if (!compute.storage) compute.storage = !software;
+    if (mode == GlMode::wavefront || (mode == GlMode::compute && *compute.storage)) {
+        GLint64 bytes = 0;
+        gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+        limits.storage_bytes = bytes;
+    }
+    if (software || mode == GlMode::wavefront)
+        compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
+    gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
+    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
 }
 
@@ -52,6 +60,8 @@ SceneNeeds GlTracer::Impl::needs_of(const TraceConfig& config) { return scene_ne
 
 ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     ProgramSettings settings;
+    settings.mode = mode;
+    settings.compute = compute;
     settings.trace = config;
     settings.needs = needs_of(config);
     settings.limited_loops = software;
@@ -63,6 +73,12 @@ GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings) {
     return programs.get(program_key(step, settings)).id();
 }
 
+void GlTracer::Impl::reset_counts() const {
+    constexpr std::array<GLuint, 2> none{};
+    gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, counts_buffer, counts.id());
+    gl.BufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof none, none.data());
+}
+
 void GlTracer::Impl::draw_quad() const {
     gl.BindVertexArray(no_vertices.id());
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
@@ -70,8 +86,13 @@ void GlTracer::Impl::draw_quad() const {
 
 void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height) {
     check_image(width, height, limits);
+    if (mode == GlMode::wavefront) check_wavefront(config);
     const SceneNeeds needs = needs_of(config);
     scene().prepare(config, needs);
+    if (mode == GlMode::wavefront) {
+        const auto lights = std::max<std::int64_t>(1, std::ssize(scene().scene().lights));
+        queues.reserve(gl, lights * width * height, words_per_ray(config, needs), limits.storage_bytes);
+    }
     const TargetKey key = target_key(needs, width, height);
     if (targets.key() == key) return;
     targets = FrameTargets();  // lets go of the old ones first
@@ -133,6 +154,7 @@ GlMemory GlTracer::memory() const {
     GlMemory memory;
     if (impl_->uploaded) impl_->uploaded->add_to(memory);
     memory.targets = impl_->targets.bytes();
+    memory.rays = impl_->queues.bytes();
     return memory;
 }
 

@@ -46,10 +46,11 @@ struct GlFrameReport {
 
 /// Memory that an upload takes, in bytes.
 struct GlMemory {
-    std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0;
+    std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0,
+                 rays = 0;  // rays: states and queues of GlMode::wavefront
 
     [[nodiscard]] std::int64_t total() const {
-        return nodes + boxes + references + triangles + attributes + textures + targets;
+        return nodes + boxes + references + triangles + attributes + textures + targets + rays;
     }
     bool operator==(const GlMemory&) const = default;
 };
@@ -66,7 +67,8 @@ class GlTracer {
     void upload(const FlatScene& scene, const KdTree& tree);
 
     /// Compiles the programs and makes the tables and targets that a configuration needs, outside of any timing.
-    /// InputError with the numbers where a limit of the nodes' encoding, of textures or of the loop budget is passed.
+    /// InputError where GlMode::wavefront has no steps for the walk, and
+    /// with the numbers where a limit of the nodes' encoding, of textures or of the loop budget is passed.
     void prepare(const GlTraceConfig& config, int width, int height);
 
     /// Draws the passes for `tile` of a width x height frame into the tracer's own targets.

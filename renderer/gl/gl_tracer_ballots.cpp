@@ -21,18 +21,6 @@ bool has_extension(const GlApi& gl, std::string_view wanted) {
     return false;
 }
 
-constexpr const char* steps_of(Traversal traversal) {
-    switch (traversal) {
-        case Traversal::stack: return "0";
-        case Traversal::restart: return "1";
-        case Traversal::backtrack: return "2";
-        case Traversal::push_down: return "3";
-        case Traversal::short_stack: return "4";
-        case Traversal::ropes: return "5";
-        default: return "";
-    }
-}
-
 ProgramKey ballot_key(const ProgramSettings& settings, const BallotSupport& support, Schedule loop) {
     ProgramKey key = program_key(Step::rays, settings);
     key.fragment = "fragment/lockstep.frag";

@@ -12,7 +12,7 @@ namespace {
 constexpr int longest_row = 4096;
 constexpr std::size_t largest_batch = std::size_t(longest_row) * 256;
 
-/// Rows of rays drawn as an image.
+/// Rows of rays as an image, drawn or computed.
 class RayBatch {
   public:
     RayBatch(GlTracer::Impl& tracer, bool counters, std::size_t largest)
@@ -31,14 +31,16 @@ class RayBatch {
         const BufferTexture table = make_ray_table(gl_, rays);
         gl_blocks::FrameBlock block{};
         block.rays = {any_hit ? 1 : 0, int(rays.size()), width_, 0};
+        block.tile = {0, 0, width_, height_};
+        t_.frame_values = block;
         t_.frame_block.set(gl_, block);
         t_.frame_block.bind(gl_, frame_block);
         t_.scene().bind();
         table.bind(gl_, Unit::rays);
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-        gl_.Viewport(0, 0, width_, height_);
-        gl_.UseProgram(t_.program(Step::rays, settings));
-        t_.draw_quad();
+        if (t_.mode == GlMode::fragment)
+            draw(settings);
+        else
+            compute(settings);
 
         const TargetReader reader(gl_, std::size_t(width_) * std::size_t(height_));
         reader.read_hits(hit_.id(), hits);
@@ -47,6 +49,21 @@ class RayBatch {
     }
 
   private:
+    void draw(const ProgramSettings& settings) {
+        gl_.UseProgram(t_.program(Step::rays, settings));
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+        gl_.Viewport(0, 0, width_, height_);
+        t_.draw_quad();
+    }
+
+    void compute(const ProgramSettings& settings) {
+        bind_images(gl_, {a_.id(), b_.id(), hit_.id(), 0, 0});
+        if (t_.mode == GlMode::wavefront) return t_.run_wavefront(Step::rays, settings, {0, 0, width_, height_});
+        gl_.UseProgram(t_.program(Step::rays, settings));
+        t_.reset_counts();
+        t_.dispatch(width_, height_);
+    }
+
     GlTracer::Impl& t_;
     const GlApi& gl_;
     int width_, height_;
@@ -64,6 +81,7 @@ void GlTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, 
     TraceConfig own = config;
     own.counters = !counters.empty();
     own.shadows = false;  // one ray per invocation, whatever the lights
+    if (impl_->mode == GlMode::wavefront) check_wavefront(own);
     impl_->scene().prepare(own, impl_->needs_of(own));
 
     const std::size_t fits = std::size_t(impl_->limits.buffer_texels) / texels_per_ray;

@@ -8,11 +8,24 @@ namespace kd {
 
 namespace {
 
-constexpr std::array<const char*, 6> entry_points{"rt_prim", "shade_prim", "rt_refl", "shade_refl", "mark", "rays"};
+constexpr std::array<const char*, 8> entry_points{"rt_prim", "shade_prim", "rt_refl",  "shade_refl",
+                                                  "mark",    "rays",       "traverse", "intersect"};
 
 std::string_view walk_function(const TraceConfig& trace) {
     const TraversalInfo& walk = info(trace.traversal);
     return trace.rules == Rules::robust ? walk.function : walk.published_function;
+}
+
+bool is_kernel(Step step) { return step == Step::traverse || step == Step::intersect; }
+
+void name_files(ProgramKey& key, Step step, GlMode mode) {
+    const std::string name = entry_points[static_cast<std::size_t>(step)];
+    if (mode == GlMode::fragment) {
+        key.vertex = "fragment/quad.vert";
+        key.fragment = "fragment/" + name + ".frag";
+    } else {
+        key.compute = (is_kernel(step) ? "wavefront/" : "compute/") + name + ".comp";
+    }
 }
 
 const char* flag(bool on) { return on ? "1" : "0"; }
@@ -27,14 +40,69 @@ DepthRule depth_rule(Step step, EarlyZ early_z) {
     return {GL_GREATER, false, step == Step::shade_prim ? "0.5" : "0.125"};
 }
 
+namespace {
+
+/// The kernels read from a ray's state where it begins.
+const char* entry_setting(Step step, const TraceConfig& trace) {
+    if (enters_by_tile(trace) && step == Step::rt_prim) return "2";
+    const bool enters = enters_by_tile(trace) || enters_by_eye(trace);
+    return enters && (step == Step::rt_prim || step == Step::traverse) ? "1" : "0";
+}
+
+/// What only one kind of shaders reads.
+ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
+    if (s.mode == GlMode::fragment)
+        return {{"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
+                {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)}};
+    ShaderDefines defines{{"KD_WIDE_REFERENCES", flag(s.needs.wide_references && walks)},
+                          {"KD_GROUP_X", std::to_string(s.compute.x)},
+                          {"KD_GROUP_Y", std::to_string(s.compute.y)},
+                          {"KD_MORTON", flag(s.compute.morton)},
+                          {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
+                          {"KD_STORAGE", flag(s.compute.storage.value_or(true))}};
+    if (s.mode == GlMode::wavefront) {
+        defines["KD_PHASE"] = std::to_string(walks ? s.phase : 0);
+        if (is_kernel(step)) defines["KD_STEPS"] = steps_of(s.trace.traversal);
+    }
+    return defines;
+}
+
+}  // namespace
+
+bool step_walks(Step step, const SceneNeeds& needs) {
+    const bool shades = step == Step::shade_prim || step == Step::shade_refl;
+    return step != Step::mark && (!shades || needs.shadows);
+}
+
+ProgramKey plan_key(int queue, const ProgramSettings& s) {
+    ProgramKey key;
+    key.compute = "wavefront/plan.comp";
+    key.defines = {{"KD_QUEUE", std::to_string(queue)},
+                   {"KD_GROUP_X", std::to_string(s.compute.x)},
+                   {"KD_GROUP_Y", std::to_string(s.compute.y)}};
+    return key;
+}
+
+const char* steps_of(Traversal traversal) {
+    switch (traversal) {
+        case Traversal::stack: return "0";
+        case Traversal::restart: return "1";
+        case Traversal::backtrack: return "2";
+        case Traversal::push_down: return "3";
+        case Traversal::short_stack: return "4";
+        case Traversal::ropes: return "5";
+        default: return "";
+    }
+}
+
 ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
-    const bool walks = step == Step::rt_prim || reflects || step == Step::rays || (shades && s.needs.shadows);
-    const bool looks_up_materials = step != Step::rays && (step != Step::rt_prim || s.needs.reflections);
+    const bool walks = step_walks(step, s.needs);
+    const bool looks_up_materials =
+        step != Step::rays && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
     ProgramKey key;
-    key.vertex = "fragment/quad.vert";
-    key.fragment = std::string("fragment/") + entry_points[static_cast<std::size_t>(step)] + ".frag";
+    name_files(key, step, s.mode);
     // What a step does not read stays at one value, so that it shares programs across settings.
     key.defines = {
         {"KD_COUNTERS", flag(s.needs.counters && walks)},
@@ -54,19 +122,15 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_RULES", walks ? std::to_string(int(s.trace.rules)) : "0"},
         {"KD_STACK_SIZE", info(s.trace.traversal).has(walk_stack) && walks ? std::to_string(s.needs.levels) : "1"},
         {"KD_LONG_TRAIL", flag(walks && info(s.trace.traversal).has(walk_trail) && s.needs.levels > short_trail)},
-        {"KD_ENTRY", step != Step::rt_prim     ? "0"
-                     : enters_by_tile(s.trace) ? "2"
-                     : enters_by_eye(s.trace)  ? "1"
-                                               : "0"},
+        {"KD_ENTRY", entry_setting(step, s.trace)},
         {"KD_SHORT_STACK",
          walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
-        {"KD_QUAD_DEPTH", depth_rule(step, s.early_z).quad},
-        {"KD_PUBLISHED_DEPTH", flag(s.early_z == EarlyZ::as_published && step == Step::rt_prim)},
-        {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays)},
+        {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays && !is_kernel(step))},
         {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
+    key.defines.merge(defines_of_mode(step, s, walks));
     return key;
 }
 

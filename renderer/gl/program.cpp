@@ -1,7 +1,9 @@
 #include "renderer/gl/program.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <optional>
 #include <tuple>
 
 #include "renderer/gl/gl_debug.h"
@@ -63,25 +65,39 @@ std::string link_log(const GlApi& gl, GLuint program) {
 }  // namespace
 
 GlProgram::GlProgram(const GlApi& gl, const ProgramKey& key, const ShaderReader& read) : gl_(gl), id_(0) {
-    GlShader vertex(gl, GL_VERTEX_SHADER);
-    vertex.compile(key.vertex, resolve(key.vertex, key.defines, read));
-    GlShader fragment(gl, GL_FRAGMENT_SHADER);
-    const ShaderSource source = resolve(key.fragment, key.defines, read);
-    fragment.compile(key.fragment, source);
+    struct Stage {
+        GLenum kind;
+        const std::string& entry;
+        ShaderSource source = {};
+        std::optional<GlShader> shader = {};
+    };
+    std::array<Stage, 3> stages{
+        {{GL_VERTEX_SHADER, key.vertex}, {GL_FRAGMENT_SHADER, key.fragment}, {GL_COMPUTE_SHADER, key.compute}}};
+    const Stage* last = nullptr;
+    std::string names;
+    for (Stage& stage : stages) {
+        if (stage.entry.empty()) continue;
+        stage.source = resolve(stage.entry, key.defines, read);
+        stage.shader.emplace(gl, stage.kind);
+        stage.shader->compile(stage.entry, stage.source);
+        names += (last ? " and " : "") + stage.entry;
+        last = &stage;
+    }
+    if (!last) throw GlError("OpenGL: a program of no shader");
 
     id_ = gl.CreateProgram();
-    gl.AttachShader(id_, vertex.id());
-    gl.AttachShader(id_, fragment.id());
+    for (const Stage& stage : stages)
+        if (stage.shader) gl.AttachShader(id_, stage.shader->id());
     gl.LinkProgram(id_);
     GLint good = 0;
     gl.GetProgramiv(id_, GL_LINK_STATUS, &good);
     if (good) {
-        label_object(gl, GL_PROGRAM, id_, key.fragment);
+        label_object(gl, GL_PROGRAM, id_, last->entry);
         return;
     }
-    const std::string log = source.map_log(link_log(gl, id_));
+    const std::string log = last->source.map_log(link_log(gl, id_));
     gl.DeleteProgram(id_);
-    throw GlError(fmt::format("shaders {} and {} do not link:\n{}", key.vertex, key.fragment, log));
+    throw GlError(fmt::format("shaders {} do not link:\n{}", names, log));
 }
 
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }

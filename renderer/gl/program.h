@@ -13,9 +13,11 @@ namespace kd {
 
 /// What a program is made from.
 struct ProgramKey {
-    std::string vertex;    // file under shaders/
-    std::string fragment;  // file under shaders/
+    // Files under shaders/: a vertex and a fragment shader, or a compute shader.
+    std::string vertex;
+    std::string fragment;
     ShaderDefines defines;
+    std::string compute = {};
 
     auto operator<=>(const ProgramKey&) const = default;
 };

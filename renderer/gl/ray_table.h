@@ -1,4 +1,4 @@
-// Rays as a table for shaders, as shaders/fragment/ray_io.glsl reads it.
+// Rays as a table for shaders, as shaders/opengl/ray_io.glsl reads it.
 #pragma once
 
 #include <span>

@@ -13,13 +13,13 @@ namespace {
 
 using Words = glm::uvec4;
 
-constexpr int loop_check_rounds = 4;  // see check_loops() in shaders/fragment/observer_hooks.glsl
+constexpr int loop_check_rounds = 4;  // see check_loops() in shaders/opengl/observer_hooks.glsl
 
 unsigned bits(float x) { return std::bit_cast<unsigned>(x); }
 
 Words words(Vec3 v, unsigned w) { return {bits(v.x), bits(v.y), bits(v.z), w}; }
 
-/// Materials, lights and the places of images, as fetch_material and its like in shaders/fragment read them.
+/// Materials, lights and the places of images, as fetch_material and its like in shaders/opengl read them.
 std::vector<Words> encode_tables(const FlatScene& scene) {
     std::vector<Words> table;
     for (const Material& m : scene.materials) {
@@ -168,11 +168,15 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
 
 void SceneUpload::bind() const {
     block_.bind(gl_, scene_block);
-    (packed_nodes_ ? packed_nodes_ : nodes_).bind(gl_, Unit::nodes);
-    (boxes_and_ropes_ ? boxes_and_ropes_ : boxes_).bind(gl_, Unit::boxes);
-    references_.bind(gl_, Unit::references);
-    leaf_corners_.bind(gl_, Unit::leaf_corners);
-    corners_.bind(gl_, Unit::corners);
+    const auto bind_both = [&](const BufferTexture& table, Unit unit) {
+        table.bind(gl_, unit);
+        table.bind_storage(gl_, unit);
+    };
+    bind_both(packed_nodes_ ? packed_nodes_ : nodes_, Unit::nodes);
+    bind_both(boxes_and_ropes_ ? boxes_and_ropes_ : boxes_, Unit::boxes);
+    bind_both(references_, Unit::references);
+    bind_both(leaf_corners_, Unit::leaf_corners);
+    bind_both(corners_, Unit::corners);
     material_index_.bind(gl_, Unit::material_index);
     normals_.bind(gl_, Unit::normals);
     texture_coordinates_.bind(gl_, Unit::texture_coordinates);

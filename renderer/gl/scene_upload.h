@@ -23,6 +23,7 @@ class SceneUpload {
     /// `config` cannot be traced.
     void prepare(const TraceConfig& config, const SceneNeeds& needs);
 
+    /// As textures, and as storage buffers what walks read.
     void bind() const;
     void add_to(GlMemory& memory) const;
 

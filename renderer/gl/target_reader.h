@@ -16,7 +16,7 @@ class TargetReader {
     TargetReader(const GlApi& gl, std::size_t texels) : gl_(gl), texels_(texels) {}
 
     void read_colour(GLuint texture, std::span<Vec4> to) const;
-    /// The layout of shaders/fragment/pixel_io.glsl.
+    /// The layout of shaders/fragment/hit_target.glsl.
     void read_hits(GLuint texture, std::span<Hit> to) const;
     void read_counters(GLuint a, GLuint b, std::span<RayCounters> to) const;
     /// All texels of an integer texture.

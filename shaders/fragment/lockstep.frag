@@ -4,18 +4,11 @@
 #include "ballots.glsl"
 // The extensions come first.
 #include "tracer.glsl"
-#include "pixel_io.glsl"
-#include "ray_io.glsl"
-#include "stepper.glsl"
-#if KD_STEPS == 0
-#include "stack_steps.glsl"
-#elif KD_STEPS == 2
-#include "backtrack_steps.glsl"
-#elif KD_STEPS == 5
-#include "ropes_steps.glsl"
-#else
-#include "from_top_steps.glsl"
-#endif
+#include "hit_target.glsl"
+#include "opengl/ray_io.glsl"
+#include "steps/stepper.glsl"
+#include "steps/local_stack.glsl"
+#include "steps/steps.glsl"
 
 layout(location = 3) out uvec4 out_ballots; // led iterations, led lanes: of each first at interior nodes, then at leaves
 layout(location = 4) out uvec4 out_place;   // group (number of a pixel in it), lane, multiprocessor, lanes of a group
@@ -83,8 +76,8 @@ void main()
         run_walk(s, frame.rays.x != 0, hit);
         hit.t = hit.triangle >= 0 ? hit.t + s.t_shift : limit;
     }
-    out_hit = pack_hit(hit);
+    leave_hit(pixel, hit);
     out_ballots = uvec4(led_iterations[0], led_iterations[1], led_lanes[0], led_lanes[1]);
     out_place = uvec4(group, this_multiprocessor(), lane_count());
-    write_counters();
+    leave_counters(pixel);
 }

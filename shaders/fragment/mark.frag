@@ -2,8 +2,7 @@
 // lies at the depth to be written.
 
 #include "tracer.glsl"
-#include "pixel_io.glsl"
-#include "path_io.glsl"
+#include "opengl/path_io.glsl"
 
 void main()
 {

@@ -1,7 +1,7 @@
 // A quad that fits the screen exactly, as a strip of four vertices. (One oversized triangle would be clipped into two
 // with a seam, and the pixels on it shaded twice in half-covered groups.)
 
-#include "settings.glsl"
+#include "opengl/settings.glsl"
 
 void main()
 {

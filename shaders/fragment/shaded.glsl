@@ -8,7 +8,8 @@ layout(early_fragment_tests) in;
 #endif
 #endif
 
-void count_shaded()
+/// Every pixel that depth has not culled counts, whether it then has work or not.
+void count_shaded(bool has_work)
 {
 #if KD_COUNT_SHADED
     atomicCounterIncrement(shaded_pixels);

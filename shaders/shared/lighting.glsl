@@ -41,36 +41,51 @@ KD_FN Ray shadow_ray(IN(Surface) s, IN(LightSample) light)
     return leave_surface(s, light.direction, light.distance * (real(1) - real(8) * KD_T_PADDING));
 }
 
+/// Whether the light can reach the surface where nothing stands between them.
+KD_FN bool faces_light(IN(Surface) s, IN(LightSample) light)
+{
+    return dot3(s.shading, light.direction) > real(0) && dot3(s.geometric, light.direction) > real(0) &&
+           max_component(light.colour) > real(0);
+}
+
+/// What `s` sends towards the viewer of the light that reaches it.
+KD_FN real3 reflected_light(IN(Surface) s, IN(LightSample) light, real3 to_viewer)
+{
+    real3 reflected = scale3(s.material.diffuse, dot3(s.shading, light.direction));
+    if (scene_has_highlights()) {
+        real3 halfway = normalise3(light.direction + to_viewer);
+        real gloss = max(dot3(s.shading, halfway), real(0));
+        real highlight = gloss > real(0) ? pow(gloss, s.material.shininess) : real(0);
+        reflected = add_scaled3(reflected, s.material.specular, highlight);
+    }
+    return light.colour * reflected;
+}
+
+KD_FN real3 ambient_light(IN(Surface) s)
+{
+    return s.material.diffuse * scene_ambient();
+}
+
 /// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
 /// `first_blocked` receives the first one's hit that found an occluder.
 KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
 {
-    real3 total = s.material.diffuse * scene_ambient();
+    real3 total = ambient_light(s);
     real3 to_viewer = -normalise3(ray.direction);
     int count = light_count();
     for (int i = 0; i < count; ++i) {
         LightSample light = sample_light(fetch_light(i), s.position);
-        real cosine = dot3(s.shading, light.direction);
-        bool facing = cosine > real(0) && dot3(s.geometric, light.direction) > real(0) && max_component(light.colour) > real(0);
-        if (facing && shadows_enabled()) {
+        bool lit = faces_light(s, light);
+        if (lit && shadows_enabled()) {
             Ray shadow = shadow_ray(s, light);
             Hit blocker = no_hit(shadow);
             traverse(shadow, true, blocker);
             if (blocker.triangle >= 0) {
-                facing = false;
+                lit = false;
                 if (first_blocked.triangle < 0) first_blocked = blocker;
             }
         }
-        if (facing) {
-            real3 reflected = scale3(s.material.diffuse, cosine);
-            if (scene_has_highlights()) {
-                real3 halfway = normalise3(light.direction + to_viewer);
-                real gloss = max(dot3(s.shading, halfway), real(0));
-                real highlight = gloss > real(0) ? pow(gloss, s.material.shininess) : real(0);
-                reflected = add_scaled3(reflected, s.material.specular, highlight);
-            }
-            total = total + light.colour * reflected;
-        }
+        if (lit) total = total + reflected_light(s, light, to_viewer);
     }
     return total;
 }

@@ -57,7 +57,7 @@ class EngineGlFaults : public testing::Test {
 };
 
 TEST_F(EngineGlFaults, F03_AShaderThatFailsIsShownWithItsLineAndTheCpuGoesOn) {
-    change_shader("fragment/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
+    change_shader("opengl/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
     const auto engine = start(TracerKind::gl_fragment);
     ASSERT_TRUE(settle(*engine));
     EXPECT_EQ(engine->state().picture->traced.tracer, TracerKind::gl_fragment) << "this shader is good";
@@ -66,7 +66,7 @@ TEST_F(EngineGlFaults, F03_AShaderThatFailsIsShownWithItsLineAndTheCpuGoesOn) {
     engine->set_session(next);
     ASSERT_TRUE(engine->state().picture) << "the picture before stays";
     ASSERT_TRUE(settle(*engine));
-    EXPECT_EQ(messages_with(engine->state(), "shaders/fragment/scene_hooks.glsl:"), 1);
+    EXPECT_EQ(messages_with(engine->state(), "shaders/opengl/scene_hooks.glsl:"), 1);
     EXPECT_EQ(engine->state().session.tracer, TracerKind::cpu);
     EXPECT_EQ(engine->state().picture->traced.config.leaf_lists, LeafLists::duplicated);
     EXPECT_EQ(engine->state().picture->traced.tracer, TracerKind::cpu);
@@ -79,7 +79,7 @@ TEST_F(EngineGlFaults, F03_AShaderThatFailsIsShownWithItsLineAndTheCpuGoesOn) {
 }
 
 TEST_F(EngineGlFaults, F04_AGpuThatFailsTheSelfTestIsNotUsedAndABannerStays) {
-    change_shader("fragment/rays.frag", "out_hit = pack_hit(hit)", "hit.t *= 1.001; out_hit = pack_hit(hit)");
+    change_shader("opengl/rays.glsl", "leave_hit(pixel, hit)", "hit.t *= 1.001; leave_hit(pixel, hit)");
     for (const TracerKind tracer : {TracerKind::cpu, TracerKind::gl_fragment}) {
         const auto engine = start(tracer);
         ASSERT_TRUE(settle(*engine));

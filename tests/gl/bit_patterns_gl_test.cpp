@@ -41,8 +41,9 @@ class BitPatternsGl : public ContextTest {
 };
 
 std::filesystem::path shaders_that_tell_texels() {
-    return test::shaders_with("fragment/rays.frag", "out_hit = pack_hit(hit);", R"(
-        out_hit = pack_hit(hit);
+    return test::shaders_with("fragment/rays.frag", "run_pass(this_pixel());", R"(
+        run_pass(this_pixel());
+        int index = this_pixel().y * frame.rays.z + this_pixel().x;
         float asked = index < frame.rays.y ? uintBitsToFloat(texelFetch(kd_rays, 3 * index).w) - 1024.0 : -1.0;
         int at = int(texelFetch(kd_rays, 3 * index + 2).x);
         if (asked == 0.0) out_hit = uvec4(texelFetch(kd_references, at).x);

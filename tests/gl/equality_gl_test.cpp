@@ -29,9 +29,20 @@ struct Case {
     Traversal traversal;
     LeafLists lists;
     NodeEncoding nodes = NodeEncoding::float4;  // of OpenGL; the CPU's are float4
+    GlMode mode = GlMode::fragment;
 };
 
 constexpr ContextKind contexts[] = {ContextKind::osmesa, ContextKind::egl};
+
+std::vector<Case> in_all_modes(const std::vector<Case>& cases) {
+    std::vector<Case> all;
+    for (const GlMode mode : gl_modes)
+        for (Case each : cases) {
+            each.mode = mode;
+            if (test::traces(mode, {.traversal = each.traversal})) all.push_back(each);
+        }
+    return all;
+}
 
 /// The same for every kind of context.
 std::vector<Case> all_cases() {
@@ -40,13 +51,13 @@ std::vector<Case> all_cases() {
         for (const TraversalInfo& traversal : traversals())
             for (const LeafLists lists : {LeafLists::references, LeafLists::duplicated})
                 cases.push_back({context, traversal.id, lists});
-    return cases;
+    return in_all_modes(cases);
 }
 
 /// Compiling takes most of a test's time, so that what no traversal should matter to is tried with two, one a context.
 std::vector<Case> two_cases() {
-    return {{ContextKind::osmesa, Traversal::stack, LeafLists::references},
-            {ContextKind::egl, Traversal::backtrack, LeafLists::duplicated}};
+    return in_all_modes({{ContextKind::osmesa, Traversal::stack, LeafLists::references},
+                         {ContextKind::egl, Traversal::backtrack, LeafLists::duplicated}});
 }
 
 std::vector<Case> each_traversal() {
@@ -54,13 +65,14 @@ std::vector<Case> each_traversal() {
     for (const ContextKind context : contexts)
         for (const TraversalInfo& traversal : traversals())
             cases.push_back({context, traversal.id, LeafLists::references, NodeEncoding::packed});
-    return cases;
+    return in_all_modes(cases);
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& test) {
     std::string name = std::string(name_of(test.param.context)) + "_" + std::string(info(test.param.traversal).name) +
                        (test.param.lists == LeafLists::duplicated ? "_duplicated" : "_references") +
-                       (test.param.nodes == NodeEncoding::packed ? "_packed" : "");
+                       (test.param.nodes == NodeEncoding::packed ? "_packed" : "") + "_" +
+                       std::string(tracer_name(test.param.mode));
     std::ranges::replace(name, '-', '_');
     return name;
 }
@@ -135,7 +147,7 @@ class EqualityGl : public testing::TestWithParam<Case> {
         Frame expected(width, height);
         CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
         config.trace.nodes = nodes;
-        GlTracer tracer(*context);
+        GlTracer tracer(*context, GetParam().mode);
         tracer.upload(scene, tree);
         (void)tracer.draw(config, camera, width, height, whole(width, height));
         expect_equal(expected, tracer.read_frame(config.trace), context->is_software());

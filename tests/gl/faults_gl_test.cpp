@@ -57,7 +57,7 @@ KD_FOR_ALL_CONTEXTS(GlFaults);
 TEST_P(GlFaults, F03_AShaderThatFailsNamesFileAndLineAndThePassesBeforeItStayUsable) {
     const auto context = Context::create(GetParam());
     const std::filesystem::path folder =
-        shaders_with("fragment/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
+        shaders_with("opengl/scene_hooks.glsl", "#if KD_DUPLICATED\n", "#if KD_DUPLICATED\nnonsense();\n");
     const Variable shaders("KD_SHADER_DIR", folder.string());
     GlTracer tracer(*context);
     tracer.upload(scene, tree);
@@ -68,7 +68,7 @@ TEST_P(GlFaults, F03_AShaderThatFailsNamesFileAndLineAndThePassesBeforeItStayUsa
     copies.trace.leaf_lists = LeafLists::duplicated;
     const std::string message = message_of<GlError>([&] { tracer.draw(copies, camera, 32, 24, whole(32, 24)); });
     EXPECT_TRUE(holds(message, "does not compile")) << message;
-    EXPECT_TRUE(holds(message, "shaders/fragment/scene_hooks.glsl:")) << message;
+    EXPECT_TRUE(holds(message, "shaders/opengl/scene_hooks.glsl:")) << message;
     EXPECT_TRUE(holds(message, "nonsense")) << message;
     tracer.draw({}, camera, 32, 24, whole(32, 24));
     EXPECT_EQ(tracer.read_frame({}).colour, before.colour);
@@ -82,9 +82,9 @@ TEST_P(GlFaults, F04_AGoodContextPassesTheSelfTestAndIsLeftEmpty) {
 }
 
 TEST_P(GlFaults, F04_AWrongTIsFound) {
-    const Variable shaders("KD_SHADER_DIR", shaders_with("fragment/rays.frag", "out_hit = pack_hit(hit)",
-                                                         "hit.t *= 1.0001; out_hit = pack_hit(hit)")
-                                                .string());
+    const Variable shaders(
+        "KD_SHADER_DIR",
+        shaders_with("opengl/rays.glsl", "leave_hit(pixel, hit)", "hit.t *= 1.0001; leave_hit(pixel, hit)").string());
     const std::string message = message_of_tracer();
     EXPECT_TRUE(holds(message, "fails the self-test: ray 1 of ")) << message;
     EXPECT_TRUE(holds(message, "--tracer cpu")) << message;
@@ -106,10 +106,9 @@ TEST_P(GlFaults, F04_ANanThatIsTakenForANumberIsFound) {
 }
 
 TEST_P(GlFaults, F04_ALostTriangleIsFound) {
-    const Variable shaders("KD_SHADER_DIR",
-                           shaders_with("fragment/scene_hooks.glsl", "return int(texelFetch(kd_references, slot).x);",
-                                        "return int(texelFetch(kd_references, slot).x) ^ 1;")
-                               .string());
+    const Variable shaders("KD_SHADER_DIR", shaders_with("opengl/scene_hooks.glsl", "return reference_at(slot);",
+                                                         "return reference_at(slot) ^ 1;")
+                                                .string());
     EXPECT_TRUE(holds(message_of_tracer(), "fails the self-test"));
 }
 

@@ -6,18 +6,17 @@
 namespace kd {
 namespace {
 
-using test::context_name;
-using test::ContextTest;
+using test::MachineTest;
 using test::whole;
 
-class FrameGl : public ContextTest {
+class FrameGl : public MachineTest {
   protected:
     void SetUp() override {
-        ContextTest::SetUp();
+        MachineTest::SetUp();
         if (!context) return;
         scene = test::mirror_scene(80, 5);
         tree = build_tree(scene.triangles, {});
-        tracer = std::make_unique<GlTracer>(*context);
+        tracer = std::make_unique<GlTracer>(*context, mode());
         tracer->upload(scene, tree);
     }
     void TearDown() override { tracer.reset(); }
@@ -35,7 +34,7 @@ class FrameGl : public ContextTest {
     std::unique_ptr<GlTracer> tracer;
     GlTraceConfig config;
 };
-KD_FOR_ALL_CONTEXTS(FrameGl);
+KD_FOR_ALL_MACHINES(FrameGl);
 
 void expect_same(const Frame& a, const Frame& b) {
     EXPECT_EQ(a.colour, b.colour);
@@ -220,7 +219,7 @@ TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget) {
 }
 
 TEST_P(FrameGl, NothingUploadedIsAnError) {
-    GlTracer fresh(*context);
+    GlTracer fresh(*context, mode());
     EXPECT_THROW((void)fresh.draw(config, PinholeCamera{}, 4, 4, whole(4, 4)), GlError);
     EXPECT_TRUE(fresh.read_frame(config.trace).colour.empty());
 }

@@ -80,6 +80,26 @@ TEST(GlLimits, DependOnTheConfiguration) {
               std::string::npos);
 }
 
+TEST(GlLimits, AStorageBufferHoldsBytes) {
+    static constexpr GlLimits storage{1 << 20, 64, 1000};
+    const auto check = [](const UploadSizes& sizes, const TraceConfig& config) {
+        return refusal([&] { check_config(sizes, config, storage); });
+    };
+    EXPECT_EQ(refusal([] { check_upload({.triangles = 20}, storage); }), "accepted");
+    EXPECT_EQ(
+        refusal([] { check_upload({.triangles = 21}, storage); }),
+        "scene on OpenGL: the triangles take 1008 bytes, a storage buffer holds 1000 here; use a smaller scene or "
+        "--tracer cpu");
+    EXPECT_EQ(check({.nodes = 62, .references = 500}, {}), "accepted");
+    EXPECT_NE(check({.nodes = 63}, {}).find("nodes take 1008 bytes"), std::string::npos);
+    EXPECT_EQ(check({.nodes = 125}, {.nodes = NodeEncoding::packed}), "accepted");
+    EXPECT_NE(check({.nodes = 126}, {.nodes = NodeEncoding::packed}).find("1008 bytes"), std::string::npos);
+    EXPECT_NE(check({.references = 501}, {}).find("leaf lists take 1002 bytes"), std::string::npos);
+    EXPECT_NE(check({.references = 251, .triangles = 70000}, {}).find("leaf lists take 1004 bytes"), std::string::npos);
+    EXPECT_NE(check({.nodes = 32}, {.traversal = Traversal::backtrack}).find("all nodes take 1024 bytes"),
+              std::string::npos);
+}
+
 TEST(GlLimits, BoundTheNaiveTraversalByTheLoopBudget) {
     const TraceConfig lit{.traversal = Traversal::naive};
     const TraceConfig unlit{.traversal = Traversal::naive, .shadows = false};

@@ -1,6 +1,7 @@
 // What tests with a context share.
 #pragma once
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -29,6 +30,50 @@ class ContextTest : public testing::TestWithParam<ContextKind> {
 inline std::string context_name(const testing::TestParamInfo<ContextKind>& test) {
     return std::string(name_of(test.param));
 }
+
+/// Whether a kind of shaders can trace `config`.
+inline bool traces(GlMode mode, const TraceConfig& config) {
+    return mode != GlMode::wavefront || has_ballot_loop(config);
+}
+
+/// A kind of context, and a kind of shaders on it.
+struct Machine {
+    ContextKind context;
+    GlMode mode;
+};
+
+inline std::string machine_name(const testing::TestParamInfo<Machine>& test) {
+    std::string name = std::string(name_of(test.param.context)) + "_" + std::string(tracer_name(test.param.mode));
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+inline std::vector<Machine> all_machines() {
+    std::vector<Machine> machines;
+    for (const ContextKind context : {ContextKind::osmesa, ContextKind::egl})
+        for (const GlMode mode : gl_modes) machines.push_back({context, mode});
+    return machines;
+}
+
+/// A test that runs once per kind of context and of shaders.
+class MachineTest : public testing::TestWithParam<Machine> {
+  protected:
+    void SetUp() override {
+        try {
+            context = Context::create(GetParam().context);
+        } catch (const ContextError& error) {
+            GTEST_SKIP() << "NO CONTEXT: " << error.what();
+        }
+    }
+
+    const GlApi& gl() const { return context->gl(); }
+    GlMode mode() const { return GetParam().mode; }
+
+    std::unique_ptr<Context> context;
+};
+
+#define KD_FOR_ALL_MACHINES(Suite)                                                                                     \
+    INSTANTIATE_TEST_SUITE_P(Machines, Suite, testing::ValuesIn(test::all_machines()), test::machine_name)
 
 #define KD_FOR_ALL_CONTEXTS(Suite)                                                                                     \
     INSTANTIATE_TEST_SUITE_P(Contexts, Suite, testing::Values(ContextKind::osmesa, ContextKind::egl), context_name)

@@ -14,7 +14,7 @@ using test::ContextTest;
 /// Runs an endless sort of loop as a traversal would, and says how far it came.
 constexpr const char* looping_shader = R"(
 #include "fragment/tracer.glsl"
-#include "fragment/pixel_io.glsl"
+#include "fragment/hit_target.glsl"
 void main()
 {
     uint x = uint(gl_FragCoord.x);
@@ -25,7 +25,7 @@ void main()
         if (x == 7u) break;
     }
     out_hit = uvec4(uint(n), x, 0u, 0u);
-    write_counters();
+    leave_counters(this_pixel());
 }
 )";
 

@@ -17,7 +17,7 @@ KD_FOR_ALL_CONTEXTS(NodeTexelsGl);
 
 /// A ray whose source is -2 - n is not traced but answered with what the shader reads of node n.
 std::filesystem::path shaders_that_tell_nodes() {
-    return test::shaders_with("fragment/rays.frag", "traverse(ray, frame.rays.x != 0, hit);", R"(
+    return test::shaders_with("opengl/rays.glsl", "traverse(ray, frame.rays.x != 0, hit);", R"(
         if (ray.source > -2) {
             traverse(ray, frame.rays.x != 0, hit);
         } else {

@@ -60,6 +60,14 @@ TEST_P(ProgramGl, ReportsLinkErrors) {
     EXPECT_NE(message.find("nowhere"), std::string::npos) << message;
 }
 
+TEST_P(ProgramGl, ReportsFileAndLineOfAComputeShader) {
+    const auto read = with({{"bad.comp", "layout(local_size_x = 8) in;\nvoid main()\n{\n    nonsense();\n}\n"}});
+    const std::string message = message_of({"", "", {}, "bad.comp"}, read);
+    EXPECT_NE(message.find("shader bad.comp does not compile"), std::string::npos) << message;
+    EXPECT_NE(message.find("shaders/bad.comp:4"), std::string::npos) << message;
+    EXPECT_EQ(message_of({}, read), "OpenGL: a program of no shader");
+}
+
 TEST_P(ProgramGl, KeepsProgramsByKey) {
     ProgramCache cache(gl());
     ProgramSettings settings;
@@ -97,10 +105,14 @@ TEST_P(ProgramGl, KeepsSoManyAndDropsTheOneUnusedLongest) {
 
 TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
     ProgramCache cache(gl());
-    const auto compile = [&](const TraversalInfo& traversal, const RulesInfo& rules, bool on) {
+    const auto compile = [&](const TraversalInfo& traversal, const RulesInfo& rules, bool on, GlMode mode) {
         for (const Step step :
              {Step::rt_prim, Step::shade_prim, Step::rt_refl, Step::shade_refl, Step::mark, Step::rays}) {
+            if (mode == GlMode::compute && step == Step::mark) continue;
             ProgramSettings s;
+            s.mode = mode;
+            s.compute.storage = s.compute.morton = on;
+            s.compute.persistent = on ? 64 : 0;
             s.trace.traversal = traversal.id;
             s.trace.rules = rules.id;
             s.count_shaded = s.limited_loops = s.corrected_rounding = on;
@@ -117,7 +129,8 @@ TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
     for (const TraversalInfo& traversal : traversals())
         for (const RulesInfo& rules : all_rules())
             if (rules.id == Rules::robust || traversal.has_published_form())
-                for (const bool on : {false, true}) compile(traversal, rules, on);
+                for (const bool on : {false, true})
+                    for (const GlMode mode : {GlMode::fragment, GlMode::compute}) compile(traversal, rules, on, mode);
     EXPECT_NO_THROW(check_gl(gl(), "compiling"));
 }
 

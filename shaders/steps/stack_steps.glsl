@@ -1,8 +1,5 @@
-// shared/traverse_stack.glsl, step by step.
+// shared/traverse_stack.glsl, step by step. Where the entries are kept stands in front of it: steps/local_stack.glsl or another.
 
-int stack_node[KD_STACK_SIZE];
-real stack_begin[KD_STACK_SIZE];
-real stack_end[KD_STACK_SIZE];
 int stack_depth = 0;
 
 void begin_walk(IN(RaySetup) s)
@@ -24,9 +21,7 @@ void step_down(IN(RaySetup) s, IN(Hit) hit)
             end_walk(KD_EXIT_STACK_OVERFLOW);
             return;
         }
-        stack_node[stack_depth] = child_of(walk_at, walk_node, !below_first);
-        stack_begin[stack_depth] = far_begin;
-        stack_end[stack_depth] = walk_end;
+        set_entry_of_stack(stack_depth, StackEntry(child_of(walk_at, walk_node, !below_first), far_begin, walk_end));
         ++stack_depth;
         on_push(stack_depth);
         walk_end = near_end;
@@ -38,16 +33,18 @@ void step_down(IN(RaySetup) s, IN(Hit) hit)
 void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
 {
     bool found = false;
+    StackEntry entry;
     while (stack_depth > 0 && !found) {
         --stack_depth;
-        found = !beyond_hit(hit, stack_begin[stack_depth]);
+        entry = entry_of_stack(stack_depth);
+        found = !beyond_hit(hit, entry.begin);
     }
     if (!found) {
         complete_walk(hit);
         return;
     }
-    walk_begin = stack_begin[stack_depth];
-    walk_end = stack_end[stack_depth];
-    go_to(stack_node[stack_depth]);
+    walk_begin = entry.begin;
+    walk_end = entry.end;
+    go_to(entry.node);
     arrive();
 }

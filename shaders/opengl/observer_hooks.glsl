@@ -34,3 +34,32 @@ void check_loops()
     if (rounds < scene.limits.y) on_exit(KD_EXIT_STEP_CAP);
 #endif
 }
+
+/// Of a ray of the same invocation.
+void add_counters(RayCounters other)
+{
+    counters.interior_first += other.interior_first;
+    counters.interior_again += other.interior_again;
+    counters.leaves += other.leaves;
+    counters.triangle_tests += other.triangle_tests;
+    counters.restarts += other.restarts;
+    counters.backtracks += other.backtracks;
+    counters.stack_depth = max(counters.stack_depth, other.stack_depth);
+    counters.exit_reason = max(counters.exit_reason, other.exit_reason);
+}
+
+/// Counters as two texels.
+uvec4 first_counters()
+{
+    return uvec4(counters.interior_first, counters.interior_again, counters.leaves, counters.triangle_tests);
+}
+
+uvec4 second_counters()
+{
+    return uvec4(counters.restarts, counters.backtracks, counters.stack_depth, counters.exit_reason);
+}
+
+RayCounters unpack_counters(uvec4 a, uvec4 b)
+{
+    return RayCounters(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+}

@@ -28,6 +28,16 @@ Path reflected_path(int2 pixel)
     return path;
 }
 
+/// The path that RTRefl goes on from.
+Path path_before_bounce(int2 pixel)
+{
+#if KD_LATER_BOUNCE
+    return reflected_path(pixel);
+#else
+    return primary_path(pixel);
+#endif
+}
+
 /// True where the path has a reflection worth tracing.
 bool goes_on(Path path)
 {

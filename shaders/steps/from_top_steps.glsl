@@ -120,7 +120,9 @@ void step_down_from_top(IN(RaySetup) s, IN(Hit) hit)
 #if KD_STEPS != 5
 void begin_walk(IN(RaySetup) s)
 {
-    if (enter_walk(s)) begin_from_top();
+    if (!enter_walk(s)) return;
+    walk_top = walk_first;
+    begin_from_top();
 }
 
 void step_down(IN(RaySetup) s, IN(Hit) hit) { step_down_from_top(s, hit); }

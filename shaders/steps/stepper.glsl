@@ -6,6 +6,7 @@
 //                          void leave_leaf(IN(RaySetup) s, IN(Hit) hit)  to the next cell, then arrive(), or end_walk()
 
 bool walking = false;
+int walk_first = 0; // the node that the walk began at
 int walk_at = 0;    // a node
 KdNode walk_node;   // what it holds
 int walk_slot = 0;  // of the triangle to test next
@@ -51,11 +52,12 @@ void arrive()
     if (walk_budget <= 0) end_walk(KD_EXIT_STEP_CAP);
 }
 
-/// Enters the tree at the root; false, with the exit told, where the ray misses it.
+/// Enters the tree where walks begin; false, with the exit told, where the ray misses that.
 bool enter_walk(IN(RaySetup) s)
 {
-    walking = enter_tree(s, walk_begin, walk_end);
+    walk_first = entry_node();
+    walking = enter_at(s, walk_first, walk_begin, walk_end);
     walk_budget = step_budget();
-    if (walking) go_to(0);
+    if (walking) go_to(walk_first);
     return walking;
 }

@@ -1,11 +1,10 @@
-// The data and settings hooks of shaders/shared/kernel.glsl, from texture buffers. No SSBO: llvmpipe reads those wrongly
-// in fragment shaders on partly covered blocks of pixels.
+// The data and settings hooks of shaders/shared/kernel.glsl.
 
 #if KD_PACKED_NODES
 /// As node_as_read() in renderer/kdtree/encode.h.
 KdNode fetch_node(int node)
 {
-    uvec2 texel = texelFetch(kd_nodes, node).xy;
+    uvec2 texel = node_words(node);
     KdNode n;
     n.flag = int(texel.y & 3u);
     n.split = uintBitsToFloat(texel.x);
@@ -17,7 +16,7 @@ KdNode fetch_node(int node)
 #else
 KdNode fetch_node(int node)
 {
-    vec4 texel = texelFetch(kd_nodes, node);
+    vec4 texel = node_texel(node);
     KdNode n;
     n.flag = int(texel.x);
     n.split = texel.y;
@@ -30,23 +29,23 @@ KdNode fetch_node(int node)
 
 int fetch_reference(int slot)
 {
-    return int(texelFetch(kd_references, slot).x);
+    return reference_at(slot);
 }
 
 void fetch_node_box(int node, out real3 lower, out real3 upper)
 {
-    lower = texelFetch(kd_boxes, 2 * node).xyz;
-    upper = texelFetch(kd_boxes, 2 * node + 1).xyz;
+    lower = box_texel(2 * node).xyz;
+    upper = box_texel(2 * node + 1).xyz;
 }
 
 /// Behind the boxes of all nodes.
 int fetch_rope(int node, int face)
 {
-    return int(texelFetch(kd_boxes, 2 * scene.limits.w + 2 * node + face / 3)[face % 3]);
+    return int(box_texel(2 * scene.limits.w + 2 * node + face / 3)[face % 3]);
 }
 
 #if KD_ENTRY
-/// Where the walks that follow begin; rt_prim.frag sets it for primary rays.
+/// Where the walks that follow begin; rt_prim.glsl sets it for primary rays.
 int walk_entry = 0;
 int entry_node() { return walk_entry; }
 #else
@@ -70,15 +69,15 @@ void fetch_corners(int slot, int triangle, int3 axes, out real3 a, out real3 b, 
 {
 #if KD_DUPLICATED
     if (slot >= 0) {
-        a = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot).xyz, axes);
-        b = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot + 1).xyz, axes);
-        c = rotate_axes(texelFetch(kd_leaf_corners, 3 * slot + 2).xyz, axes);
+        a = rotate_axes(leaf_corner(3 * slot), axes);
+        b = rotate_axes(leaf_corner(3 * slot + 1), axes);
+        c = rotate_axes(leaf_corner(3 * slot + 2), axes);
         return;
     }
 #endif
-    a = rotate_axes(texelFetch(kd_corners, 3 * triangle).xyz, axes);
-    b = rotate_axes(texelFetch(kd_corners, 3 * triangle + 1).xyz, axes);
-    c = rotate_axes(texelFetch(kd_corners, 3 * triangle + 2).xyz, axes);
+    a = rotate_axes(corner_at(3 * triangle), axes);
+    b = rotate_axes(corner_at(3 * triangle + 1), axes);
+    c = rotate_axes(corner_at(3 * triangle + 2), axes);
 }
 
 void fetch_normals(int triangle, out real3 a, out real3 b, out real3 c)

@@ -22,7 +22,7 @@ void climb_to(int parent)
 
 void leave_leaf(IN(RaySetup) s, IN(Hit) hit)
 {
-    if (walk_node.parent < 0) {
+    if (walk_at == walk_first) {
         complete_walk(hit);
         return;
     }
@@ -51,7 +51,7 @@ void step_up(IN(RaySetup) s, IN(Hit) hit)
     }
     if (walk_budget <= 0) {
         end_walk(KD_EXIT_STEP_CAP);
-    } else if (walk_node.parent < 0) {
+    } else if (walk_at == walk_first) {
         complete_walk(hit);
     } else {
         climb_to(walk_node.parent);

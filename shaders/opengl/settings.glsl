@@ -10,6 +10,11 @@
 #define KD_PACKED_NODES 0
 #endif
 
+// 1: leaf lists of 32 bits an entry, 0: of 16. Textures tell by themselves.
+#ifndef KD_WIDE_REFERENCES
+#define KD_WIDE_REFERENCES 1
+#endif
+
 // 1: leaf lists hold copies of the triangles' corners instead of their numbers alone.
 #ifndef KD_DUPLICATED
 #define KD_DUPLICATED 0
@@ -108,4 +113,42 @@
 // 1: the driver ends loops after a number of iterations without a word, as llvmpipe does.
 #ifndef KD_LOOP_LIMIT
 #define KD_LOOP_LIMIT 0
+#endif
+
+// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left;
+// 1: what walks read lies in storage buffers, 0: in textures.
+#ifndef KD_GROUP_X
+#define KD_GROUP_X 8
+#endif
+#ifndef KD_GROUP_Y
+#define KD_GROUP_Y 8
+#endif
+#ifndef KD_MORTON
+#define KD_MORTON 0
+#endif
+#ifndef KD_STORAGE
+#define KD_STORAGE 1
+#endif
+#ifndef KD_PERSISTENT
+#define KD_PERSISTENT 0
+#endif
+
+// 0: rays walk where they are made; 1: they are put into queues, and nothing else is done; 2: their answers are read.
+#ifndef KD_PHASE
+#define KD_PHASE 0
+#endif
+
+// Of kernels that walk step by step: whose steps (0 stack, 1 restart, 2 backtrack, 3 push-down, 4 short stack, 5 ropes), the
+// words of a ray's state at which its walk and its stack begin, and the queue that is planned.
+#ifndef KD_STEPS
+#define KD_STEPS 0
+#endif
+#ifndef KD_WALK_WORD
+#define KD_WALK_WORD 24
+#endif
+#ifndef KD_STACK_WORD
+#define KD_STACK_WORD 32
+#endif
+#ifndef KD_QUEUE
+#define KD_QUEUE 0
 #endif

@@ -22,4 +22,6 @@ struct FrameBlock {
     int4 rays;
     real4 criteria; // x = least contribution of a reflection
     int4 entry;     // of tiles with entry points: the first pixel, pixels each way, tiles in a row
+    int4 tile;      // the pixels drawn: first column and row, and those behind the last
+    int4 wave;      // of rays with their state in buffers: slots, slots per pixel
 };

@@ -1,0 +1,159 @@
+// Up to N pixels through the paper's four passes, ray type by ray type, so that rays that are alike are traced
+// together. What it computes of a pixel is what walk_pixel() does, to the same bits.
+//
+// No include guard: included once per instruction set, behind batch_trace.h.
+
+template <class Kernel, class Observer, int N>
+class PixelBatch {
+  public:
+    PixelBatch(Kernel& kernel, const TileJob& job)
+        : kernel_(kernel), job_(job), tracer_(kernel, job.view.scene->bounds, job.view.in_force == CpuMode::packet) {}
+
+    /// The pixels of a block of at most N.
+    void trace(const Tile& block) {
+        begin(block);
+        trace_primary();
+        shade(Pass::shade_prim);
+        for (int bounce = 0; bounce < job_.view.needs.bounces; ++bounce) {
+            if (!reflect(bounce == 0)) break;
+            shade(Pass::shade_refl);
+        }
+        write();
+    }
+
+  private:
+    using Path = typename Kernel::Path;
+    using Surface = typename Kernel::Surface;
+    template <class T>
+    using Each = std::array<T, N>;
+
+    /// Rays to trace, of some of the pixels.
+    struct Rays {
+        Each<Ray> ray;
+        Each<Hit> hit;
+        Each<int> pixel;
+        std::size_t count = 0;
+
+        void add(int of_pixel, const Ray& added) {
+            pixel[count] = of_pixel;
+            ray[count++] = added;
+        }
+    };
+
+    Kernel& kernel_;
+    const TileJob& job_;
+    BatchTracer<Kernel, Observer, N> tracer_;
+    int count_ = 0;
+    Each<int2> place_;
+    Each<Path> path_;
+    Each<bool> alive_;  // the path goes on
+    Each<Vec3> colour_;
+    std::array<Each<Observer>, pass_count> seen_;
+    std::array<Each<Hit>, pass_count> hits_;
+
+    void begin(const Tile& block) {
+        count_ = 0;
+        for (int y = block.y0; y < block.y1; ++y)
+            for (int x = block.x0; x < block.x1; ++x) place_[std::size_t(count_++)] = int2(x, y);
+        seen_ = {};
+        for (Each<Hit>& hits : hits_) hits.fill(Hit{-1, 0.0f, 0.0f, 0.0f});
+        alive_.fill(true);
+        colour_.fill(Vec3(0));
+    }
+
+    void trace(Rays& rays, Pass pass, bool any_hit) {
+        if (rays.count == 0) return;
+        Each<Observer> told{};
+        Each<Observer>& seen = seen_[std::size_t(pass)];
+        for (std::size_t i = 0; i < rays.count; ++i) told[i] = seen[std::size_t(rays.pixel[i])];
+        tracer_.trace({rays.ray.data(), rays.count}, any_hit, rays.hit.data(), told.data());
+        for (std::size_t i = 0; i < rays.count; ++i) seen[std::size_t(rays.pixel[i])] = told[i];
+    }
+
+    void trace_primary() {
+        Rays rays;
+        const int2 size(job_.frame.width, job_.frame.height);
+        for (int i = 0; i < count_; ++i) rays.add(i, kernel_.camera_ray(job_.camera, place_[std::size_t(i)], size));
+        trace(rays, Pass::rt_prim, false);
+        for (std::size_t i = 0; i < rays.count; ++i) {
+            path_[i] = {rays.ray[i], rays.hit[i], Vec3(1)};
+            hits_[0][i] = rays.hit[i];
+        }
+    }
+
+    /// shade_path() of every path that goes on.
+    void shade(Pass pass) {
+        Each<Surface> surface;
+        Each<Vec3> total{}, to_viewer;
+        std::array<bool, N> shaded{};
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            if (!alive_[i]) continue;
+            if (path_[i].hit.triangle < 0) {
+                colour_[i] += path_[i].weight * kernel_.background();
+                continue;
+            }
+            shaded[i] = true;
+            surface[i] = kernel_.surface_at(path_[i].ray, path_[i].hit);
+            total[i] = kernel_.ambient_light(surface[i]);
+            to_viewer[i] = -kernel_.normalise3(path_[i].ray.direction);
+        }
+        for (const Light& light : job_.view.scene->lights) add_light(pass, light, surface, shaded, to_viewer, total);
+        for (std::size_t i = 0; i < std::size_t(count_); ++i)
+            if (shaded[i]) colour_[i] += path_[i].weight * total[i];
+    }
+
+    void add_light(Pass pass, const Light& light, const Each<Surface>& surface, const std::array<bool, N>& shaded,
+                   const Each<Vec3>& to_viewer, Each<Vec3>& total) {
+        Each<typename Kernel::LightSample> sample;
+        std::array<bool, N> lit{};
+        Rays rays;
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            if (!shaded[i]) continue;
+            sample[i] = kernel_.sample_light(light, surface[i].position);
+            lit[i] = kernel_.faces_light(surface[i], sample[i]);
+            if (lit[i] && job_.view.needs.shadows) rays.add(int(i), kernel_.shadow_ray(surface[i], sample[i]));
+        }
+        trace(rays, pass, true);
+        for (std::size_t k = 0; k < rays.count; ++k) {
+            if (rays.hit[k].triangle < 0) continue;
+            const auto i = std::size_t(rays.pixel[k]);
+            lit[i] = false;
+            Hit& first_blocked = hits_[std::size_t(pass)][i];
+            if (first_blocked.triangle < 0) first_blocked = rays.hit[k];
+        }
+        for (std::size_t i = 0; i < std::size_t(count_); ++i)
+            if (lit[i]) total[i] = total[i] + kernel_.reflected_light(surface[i], sample[i], to_viewer[i]);
+    }
+
+    /// Mirror rays of the paths that still count; false where none does.
+    bool reflect(bool first) {
+        Rays rays;
+        Each<Vec3> weight;
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            if (!alive_[i]) continue;
+            weight[i] = kernel_.reflected_weight(path_[i]);
+            alive_[i] = kernel_.reflection_counts(weight[i], job_.config.least_contribution);
+            if (alive_[i]) rays.add(int(i), kernel_.mirror_ray(path_[i]));
+        }
+        trace(rays, Pass::rt_refl, false);
+        for (std::size_t k = 0; k < rays.count; ++k) {
+            const auto i = std::size_t(rays.pixel[k]);
+            path_[i] = {rays.ray[k], rays.hit[k], weight[i]};
+            if (first) hits_[std::size_t(Pass::rt_refl)][i] = rays.hit[k];
+        }
+        return rays.count > 0;
+    }
+
+    void write() {
+        Frame& frame = job_.frame;
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            const std::size_t at = frame.colour.index(place_[i].x, place_[i].y);
+            frame.colour.pixels[at] = Vec4(colour_[i], 1.0f);
+            for (std::size_t pass = 0; pass < pass_count; ++pass) {
+                frame.layers[pass].hit.pixels[at] = hits_[pass][i];
+                if constexpr (requires { seen_[pass][i].counters; })
+                    frame.layers[pass].counters.pixels[at] = seen_[pass][i].counters;
+            }
+        }
+    }
+};

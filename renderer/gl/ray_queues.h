@@ -1,0 +1,41 @@
+// Rays with their whole state in buffers, and the queues in which they wait for the next kernel: the streaming design
+// of Purcell, Buck, Mark and Hanrahan, Ray Tracing on Programmable Graphics Hardware, SIGGRAPH 2002.
+#pragma once
+
+#include <functional>
+
+#include "renderer/gl/object.h"
+#include "renderer/gl/pass_programs.h"
+
+namespace kd {
+
+/// 32-bit words of one ray's state (shaders/wavefront/ray_states.glsl, keep_walk.glsl, stored_stack.glsl).
+[[nodiscard]] int words_per_ray(const TraceConfig& config, const SceneNeeds& needs);
+
+/// InputError where no walk step by step is written for `config`: naive, and rules that are not robust.
+void check_wavefront(const TraceConfig& config);
+
+class RayQueues {
+  public:
+    /// Most rays that are on their way at a time.
+    static constexpr int most_rays = 1 << 18;
+
+    /// Room for so many rays, at most most_rays and as many as buffers of `storage_bytes` hold; returns how many.
+    int reserve(const GlApi& gl, std::int64_t rays, int words, std::int64_t storage_bytes);
+
+    /// Binds the buffers, with both queues empty.
+    void begin(const GlApi& gl) const;
+
+    /// Kernels in turn until no ray is on its way. `plan[i]` is the program that plans queue i, `walk[i]` works at it.
+    void run(const GlApi& gl, const std::array<GLuint, 2>& plan, const std::array<GLuint, 2>& walk) const;
+
+    [[nodiscard]] std::int64_t bytes() const { return bytes_; }
+
+  private:
+    GlBuffer states_, counts_, queues_;
+    std::int64_t bytes_ = 0;
+    std::int64_t words_ = 0;  // of all states
+    int rays_ = 0;
+};
+
+}  // namespace kd

@@ -1,0 +1,5 @@
+#include "tracer.glsl"
+#include "hit_target.glsl"
+#include "opengl/ray_io.glsl"
+#include "opengl/rays.glsl"
+#include "each_pixel.glsl"

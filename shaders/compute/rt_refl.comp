@@ -1,0 +1,6 @@
+#include "tracer.glsl"
+#include "hit_target.glsl"
+#include "path_target.glsl"
+#include "opengl/path_io.glsl"
+#include "opengl/rt_refl.glsl"
+#include "each_pixel.glsl"

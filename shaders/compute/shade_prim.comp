@@ -1,0 +1,6 @@
+#include "tracer.glsl"
+#include "hit_target.glsl"
+#include "colour_target.glsl"
+#include "opengl/path_io.glsl"
+#include "opengl/shade_prim.glsl"
+#include "each_pixel.glsl"

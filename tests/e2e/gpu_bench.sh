@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# The archive of tools/gpu-bench runs in an empty folder and environment, and its report is JSON that holds every part.
+set -euo pipefail
+
+fail() { echo "FAIL: $*" && exit 1; }
+
+libraries=$(PATH=$PATH:/usr/sbin:/sbin ldconfig -p)
+[[ $libraries == *libOSMesa.so.8* ]] || { echo "no OSMesa here" && exit 77; }
+command -v python3 >/dev/null || { echo "no python3 here to read the report with" && exit 77; }
+rm -rf elsewhere bench.tar.xz
+"$KD_SOURCE_DIR/tools/gpu-bench" pack bench.tar.xz "$KDSCOPE"
+[[ ! -e bench.tar.xz.part ]] || fail "half an archive is left"
+mkdir elsewhere && cd elsewhere
+tar xf ../bench.tar.xz
+clean() { env -i PATH=/usr/bin:/bin ASAN_OPTIONS="${ASAN_OPTIONS:-}" "$@"; }
+tiny=(--context osmesa --scenes ball:100,cornell --checked ball:100 --size 24x16 --rounds 2 --quick)
+clean gpu-bench/gpu-bench out "${tiny[@]}" >said.txt || fail "$(cat said.txt; tail -n3 out/logs/*)"
+python3 - out <<'PY' || exit 1
+import json, os, sys
+out = sys.argv[1]
+report = json.load(open(os.path.join(out, "report.json")))
+assert report["passed"] is True
+assert [run["name"] for run in report["verify"]] == ["ball:100"]
+assert [run["name"] for run in report["bench"]] == ["ball:100", "cornell"]
+for part in ("machine", "verify", "stability", "bench"):
+    for run in report[part]:
+        assert run["exit_code"] == 0 and run["seconds"] > 0 and run["report"], (part, run["name"])
+assert report["machine"][0]["report"]["contexts"]
+assert report["stability"][0]["report"]["cases_run"] == 1
+assert len(report["pictures"]) >= 2, report["pictures"]
+for picture in report["pictures"]:
+    with open(os.path.join(out, picture), "rb") as file:
+        assert file.read(4) == b"\x89PNG", picture
+PY
+# A program that breaks is told, and the report is JSON all the same.
+printf '#!/bin/sh\necho "driver \\"gone\\"" >&2\nexit 3\n' >gpu-bench/start
+if clean gpu-bench/gpu-bench broken "${tiny[@]}" >said.txt; then fail "a broken program passes"; fi
+python3 -c '
+import json
+report = json.load(open("broken/report.json"))
+assert report["passed"] is False
+assert report["bench"][0]["exit_code"] == 3 and report["bench"][0]["report"] is None
+assert report["bench"][0]["said"] == "driver \"gone\"", report["bench"][0]["said"]
+assert report["pictures"] == []' || fail "the report of a broken program"
+status=0
+clean gpu-bench/gpu-bench out --rays 5 2>/dev/null || status=$?
+((status == 2)) || fail "an unknown option is exit code $status"
+status=0
+"$KD_SOURCE_DIR/tools/gpu-bench" pack x.tar.xz /nowhere 2>said.txt || status=$?
+grep -q 'no program /nowhere' said.txt && ((status == 1)) || fail "a missing program is told"
+# Over ssh: the same, there and back. A stand-in runs on this machine what it is asked to run on another.
+mkdir -p ../stand_in
+printf '#!/usr/bin/env bash\nshift\nexec bash -c "$*"\n' >../stand_in/ssh
+printf '#!/usr/bin/env bash\nargs=()\nfor a; do [[ $a == -* ]] || args+=("${a#there:}"); done\nexec cp -r "${args[@]}"\n' >../stand_in/scp
+chmod +x ../stand_in/ssh ../stand_in/scp
+PATH=$PWD/../stand_in:$PATH "$KD_SOURCE_DIR/tools/gpu-bench" over ssh there fetched "${tiny[@]}" >said.txt || fail "over ssh: $(cat said.txt)"
+python3 -c 'import json; assert json.load(open("fetched/report.json"))["passed"] is True' || fail "the report over ssh"

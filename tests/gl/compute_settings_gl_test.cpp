@@ -1,0 +1,93 @@
+// What may be said about compute shaders, and that no answer hangs on it.
+#include "renderer/gl/compute_settings.h"
+
+#include "renderer/cpu/cpu_tracer.h"
+#include "renderer/gl/multiprocessors.h"
+#include "renderer/trace/counters.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/refusal.h"
+
+namespace kd {
+namespace {
+
+using test::context_name;
+using test::ContextTest;
+using test::refusal;
+using test::whole;
+
+TEST(ComputeSettings, SayHowGroupsAreShaped) {
+    EXPECT_EQ(parse_compute_settings("16x8"), (ComputeSettings{.x = 16, .y = 8, .morton = true}));
+    EXPECT_EQ(parse_compute_settings("32x8"), (ComputeSettings{.x = 32, .y = 8, .morton = false}));
+    EXPECT_EQ(parse_compute_settings("8x8,linear,persistent:1056,textures"),
+              (ComputeSettings{.x = 8, .y = 8, .morton = false, .persistent = 1056, .storage = false}));
+    EXPECT_EQ(parse_compute_settings("8x4,storage").storage, true);
+}
+
+TEST(ComputeSettings, RefuseWhatIsNone) {
+    const auto told = [](const char* text) { return refusal([&] { (void)parse_compute_settings(text); }); };
+    constexpr const char* remedy = "; say 16x8, 16x16,linear or 8x4,persistent:1056,storage";
+    EXPECT_EQ(told("8"), std::string("KDSCOPE_COMPUTE '8': it begins with no size") + remedy);
+    EXPECT_EQ(told("0x8"), std::string("KDSCOPE_COMPUTE '0x8': '0' is no number from 1 to 1024") + remedy);
+    EXPECT_EQ(told("64x32"), std::string("KDSCOPE_COMPUTE '64x32': a group has at most 1024 pixels") + remedy);
+    EXPECT_EQ(told("8x8,fast"), std::string("KDSCOPE_COMPUTE '8x8,fast': 'fast' is unknown") + remedy);
+    EXPECT_NE(told("8x8,persistent:x").find("'x' is no number"), std::string::npos);
+}
+
+using ComputeGl = ContextTest;
+KD_FOR_ALL_CONTEXTS(ComputeGl);
+
+TEST_P(ComputeGl, NoSettingChangesAFrame) {
+    constexpr int width = 41, height = 35;  // no multiple of a group
+    const FlatScene scene = test::mirror_scene(200, 7);
+    const KdTree tree = build_tree(scene.triangles, {});
+    const PinholeCamera camera = pinhole(scene.camera, width, height);
+    GlTraceConfig config;
+    config.trace.reflection_depth = 2;
+    Frame expected(width, height);
+    CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
+    for (const char* said : {"8x8", "16x8,storage", "32x2,linear,textures", "8x1,storage", "64x16"}) {
+        const test::Variable variable("KDSCOPE_COMPUTE", said);
+        GlTracer tracer(*context, GlMode::compute);
+        tracer.upload(scene, tree);
+        (void)tracer.draw(config, camera, width, height, whole(width, height));
+        const Frame frame = tracer.read_frame(config.trace);
+        for (std::size_t pass = 0; pass < pass_count; ++pass) {
+            const RayLayer &found = frame.layers[pass], &wanted = expected.layers[pass];
+            EXPECT_TRUE(std::ranges::equal(found.hit.pixels, wanted.hit.pixels, bit_equal)) << said << " " << pass;
+            EXPECT_TRUE(std::ranges::equal(found.counters.pixels, wanted.counters.pixels)) << said << " " << pass;
+        }
+    }
+}
+
+TEST_P(ComputeGl, CountsThePixelsThatHadWork) {
+    constexpr int width = 48, height = 32;
+    const FlatScene scene = test::mirror_scene(80, 5);
+    const KdTree tree = build_tree(scene.triangles, {});
+    GlTraceConfig config;
+    config.count_shaded = true;
+    config.trace.reflection_depth = 2;
+    std::array<GlFrameReport, 2> reports;
+    for (const GlMode mode : {GlMode::fragment, GlMode::compute}) {
+        GlTracer tracer(*context, mode);
+        tracer.upload(scene, tree);
+        reports[std::size_t(mode)] =
+            tracer.draw(config, pinhole(scene.camera, width, height), width, height, whole(width, height));
+    }
+    EXPECT_EQ(reports[1].shaded_pixels, reports[0].shaded_pixels);
+    EXPECT_GT(reports[0].shaded_pixels[2], 0);
+    EXPECT_LT(reports[0].shaded_pixels[2], width * height);
+}
+
+TEST_P(ComputeGl, CountsMultiprocessorsWhereTheDriverTells) {
+    for (const GlMode mode : gl_modes) {
+        const std::optional<Multiprocessors> counted = multiprocessors_used(gl(), mode, 256, 256);
+        EXPECT_EQ(counted.has_value(), ballot_support(gl()).multiprocessors);
+        if (!counted) continue;
+        EXPECT_GE(counted->used, 1);
+        EXPECT_LE(counted->used, counted->there);
+    }
+}
+
+}  // namespace
+}  // namespace kd
