@@ -34,7 +34,9 @@ std::string why_idle(TracerChoice choice, TracerKind tracer) {
         case early_z:
             if (cpu || tracer == TracerKind::gl_fragment) return no_gl;
             return fmt::format("{} has no depth test to cull by; --tracer gl-fragment would use it", name_of(tracer));
-        case count_shaded: return no_gl;
+        case count_shaded:
+            if (tracer != TracerKind::gl_wavefront) return no_gl;
+            return "the kernels of gl-wavefront shade no pixels of a pass; --tracer gl-fragment counts them";
         case packet:
             if (tracer == TracerKind::cpu_packet) return "";
             return fmt::format("{} walks no packets; --tracer cpu-packet does", name_of(tracer));

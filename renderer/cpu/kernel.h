@@ -31,7 +31,17 @@ class Kernel {
     KD_FN real3 background() const { return scene_background(); }
     KD_FN const LeafBlock* block_at(int place) const { return blocks + place; }
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
+
+    // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
+#ifndef KD_NO_OBSERVER
+    KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
+    KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }
+    KD_FN void on_push(int depth) { observer->on_push(pending_before + depth); }
+    KD_FN void on_restart() { observer->on_restart(); }
+    KD_FN void on_backtrack() { observer->on_backtrack(); }
+    KD_FN void on_exit(int reason) { observer->on_exit(reason); }
+#endif
 
   private:
     const Node* nodes;
@@ -46,16 +56,6 @@ class Kernel {
     int first_node = 0;
     int pending_before = 0;
     Observer* observer;
-
-    // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
-#ifndef KD_NO_OBSERVER
-    KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
-    KD_FN void on_leaf(int node) { observer->on_leaf(node); }
-    KD_FN void on_push(int depth) { observer->on_push(pending_before + depth); }
-    KD_FN void on_restart() { observer->on_restart(); }
-    KD_FN void on_backtrack() { observer->on_backtrack(); }
-    KD_FN void on_exit(int reason) { observer->on_exit(reason); }
-#endif
 
     // Tree.
     KD_FN int fetch_reference(int slot) const { return references[slot]; }
