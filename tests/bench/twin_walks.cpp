@@ -12,6 +12,10 @@
 // After foreach_target.
 #include <hwy/highway.h>
 
+// What only hooks read is read by nobody here.
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+
 HWY_BEFORE_NAMESPACE();
 namespace kd::HWY_NAMESPACE {
 
