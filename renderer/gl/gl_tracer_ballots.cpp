@@ -21,7 +21,9 @@ bool has_extension(const GlApi& gl, std::string_view wanted) {
     return false;
 }
 
-ProgramKey ballot_key(const ProgramSettings& settings, const BallotSupport& support, Schedule loop) {
+/// Lanes are those of fragment shaders, whatever else the tracer runs.
+ProgramKey ballot_key(ProgramSettings settings, const BallotSupport& support, Schedule loop) {
+    settings.mode = GlMode::fragment;
     ProgramKey key = program_key(Step::rays, settings);
     key.fragment = "fragment/lockstep.frag";
     key.defines["KD_BALLOTS"] = support.kind == BallotSupport::Kind::arb ? "1" : "2";

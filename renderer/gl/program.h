@@ -40,7 +40,7 @@ class GlProgram {
 /// At most `most` programs; the one whose use lies farthest back goes first.
 class ProgramCache {
   public:
-    /// Frames use up to six at a time; the rest are those that a person went away from and may come back to.
+    /// Frames use up to twenty at a time; the rest are those that a person went away from and may come back to.
     static constexpr std::size_t usual_size = 64;
 
     explicit ProgramCache(const GlApi& gl, ShaderReader read = default_shader_reader(), std::size_t most = usual_size)

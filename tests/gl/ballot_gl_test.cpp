@@ -112,6 +112,14 @@ TEST_P(BallotGl, EveryTraversalOnEveryScene) {
     expect_exact({.nodes = NodeEncoding::packed}, Pass::rt_prim, 64, 48);
 }
 
+TEST_P(BallotGl, ATracerOfComputeShadersCountsTheLanesOfFragments) {
+    for (const GlMode mode : {GlMode::compute, GlMode::wavefront}) {
+        tracer = std::make_unique<GlTracer>(*context, mode);
+        load("ball:300");
+        expect_exact({}, Pass::rt_prim, 32, 24);
+    }
+}
+
 TEST_P(BallotGl, EveryKindOfRay) {
     load("cornell");
     for (const Pass rays : {Pass::shade_prim, Pass::rt_refl, Pass::shade_refl})

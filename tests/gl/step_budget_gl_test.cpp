@@ -13,8 +13,7 @@
 namespace kd {
 namespace {
 
-using test::context_name;
-using test::ContextTest;
+using test::MachineTest;
 
 std::int64_t steps(const RayCounters& c) {
     return std::int64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
@@ -48,8 +47,9 @@ class Speck {
         return walks;
     }
 
-    [[nodiscard]] Walks by_gl(Context& context, const TraceConfig& config, const std::vector<Ray>& asked) const {
-        GlTracer tracer(context);
+    [[nodiscard]] Walks by_gl(Context& context, GlMode mode, const TraceConfig& config,
+                              const std::vector<Ray>& asked) const {
+        GlTracer tracer(context, mode);
         tracer.upload(scene_, tree_);
         Walks walks(asked.size());
         tracer.trace_rays(config, asked, false, walks.hits, walks.counters);
@@ -73,7 +73,7 @@ std::optional<std::size_t> longest_within(const Walks& walks, std::int64_t most)
     return found;
 }
 
-class StepBudgetGl : public ContextTest {
+class StepBudgetGl : public MachineTest {
   protected:
     /// Calls back for each traversal in each scene, with the answers of the CPU.
     template <class Use>
@@ -86,7 +86,7 @@ class StepBudgetGl : public ContextTest {
         }
     }
 };
-KD_FOR_ALL_CONTEXTS(StepBudgetGl);
+KD_FOR_ALL_MACHINES(StepBudgetGl);
 
 TEST_P(StepBudgetGl, AWalkAmongItsLikeHasTheStepsThatAreSure) {
     std::int64_t longest = 0;
@@ -95,7 +95,7 @@ TEST_P(StepBudgetGl, AWalkAmongItsLikeHasTheStepsThatAreSure) {
         if (!ray) return;
         longest = std::max(longest, steps(expected.counters[*ray]));
         // Its neighbours walk as it does: every ray of the draw is the same.
-        const Walks found = speck.by_gl(*context, config, std::vector<Ray>(64, speck.rays[*ray]));
+        const Walks found = speck.by_gl(*context, mode(), config, std::vector<Ray>(64, speck.rays[*ray]));
         for (std::size_t i = 0; i < found.hits.size(); ++i) {
             EXPECT_TRUE(bit_equal(expected.hits[*ray], found.hits[i]));
             EXPECT_EQ(expected.counters[*ray], found.counters[i]) << info(config.traversal).name;
@@ -107,7 +107,7 @@ TEST_P(StepBudgetGl, AWalkAmongItsLikeHasTheStepsThatAreSure) {
 TEST_P(StepBudgetGl, AWalkThatIsEndedIsTold) {
     std::int64_t ended = 0;
     each_walk([&](const Speck& speck, const TraceConfig& config, const Walks& expected) {
-        const Walks found = speck.by_gl(*context, config, speck.rays);
+        const Walks found = speck.by_gl(*context, mode(), config, speck.rays);
         for (std::size_t i = 0; i < speck.rays.size(); ++i) {
             EXPECT_TRUE(told(found.counters[i]) || bit_equal(expected.hits[i], found.hits[i]))
                 << info(config.traversal).name << " " << test::hex(speck.rays[i]);
