@@ -30,6 +30,7 @@
     X(ClearColor, CLEARCOLOR)                                                                                          \
     X(ColorMask, COLORMASK)                                                                                            \
     X(CompileShader, COMPILESHADER)                                                                                    \
+    X(CopyBufferSubData, COPYBUFFERSUBDATA)                                                                            \
     X(CopyImageSubData, COPYIMAGESUBDATA)                                                                              \
     X(CreateProgram, CREATEPROGRAM)                                                                                    \
     X(CreateShader, CREATESHADER)                                                                                      \

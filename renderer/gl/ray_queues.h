@@ -32,7 +32,7 @@ class RayQueues {
     [[nodiscard]] std::int64_t bytes() const { return bytes_; }
 
   private:
-    GlBuffer states_, counts_, queues_;
+    GlBuffer states_, counts_, seen_counts_, queues_;
     std::int64_t bytes_ = 0;
     std::int64_t words_ = 0;  // of all states
     int rays_ = 0;
