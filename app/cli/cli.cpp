@@ -52,13 +52,15 @@ std::string scene_list() {
 }
 
 std::string environment_list() {
-    return help_list("Environment", {{"DISPLAY, WAYLAND_DISPLAY", "Where the window opens."},
-                                     {"KDSCOPE_SCALE", "Size of everything in the window, 0.75 to 4."},
-                                     {"KDSCOPE_ASSETS", "Folder searched first for scenes that come with the program."},
-                                     {"KDSCOPE_FONTS", "Folder searched first for fonts."},
-                                     {"KD_SHADER_DIR", "Folder to read shaders from, instead of those built in."},
-                                     {"KDSCOPE_FAULT", "Faults of OpenGL to order, for tests: texels:N, lost:N, ..."},
-                                     {"KD_GL_DEBUG", "1: Errors of OpenGL come with the driver's own words."}});
+    return help_list("Environment",
+                     {{"DISPLAY, WAYLAND_DISPLAY", "Where the window opens."},
+                      {"KDSCOPE_SCALE", "Size of everything in the window, 0.75 to 4."},
+                      {"KDSCOPE_ASSETS", "Folder searched first for scenes that come with the program."},
+                      {"KDSCOPE_FONTS", "Folder searched first for fonts."},
+                      {"KD_SHADER_DIR", "Folder to read shaders from, instead of those built in."},
+                      {"KDSCOPE_COMPUTE", "Work groups of gl-compute and gl-wavefront: 8x8, 16x8,linear, ..."},
+                      {"KDSCOPE_FAULT", "Faults of OpenGL to order, for tests: texels:N, lost:N, ..."},
+                      {"KD_GL_DEBUG", "1: Errors of OpenGL come with the driver's own words."}});
 }
 
 constexpr std::string_view examples = "Examples:\n"

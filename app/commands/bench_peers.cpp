@@ -9,6 +9,7 @@
 #include "app/report/machine_info.h"
 #include "app/report/peers_report.h"
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/cpu/suited_tree.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/peers/peers.h"
 
@@ -16,34 +17,35 @@ namespace kd {
 
 namespace {
 
-constexpr int wide_block = 8;  // triangles that cpu-wide and cpu-packet test at once
-
 /// A tree and the tracers over it.
 struct Tracers {
+    std::string name;
     KdTree tree;
-    BuildReport built;
     std::vector<std::unique_ptr<CpuTracer>> all;
 };
 
-Tracers build(const FlatScene& scene, const BuildConfig& config, int threads, CommandContext& context) {
-    Tracers made;
-    made.tree = build_tree(scene.triangles, config, &made.built, {}, context.stop, threads);
+Tracers build(const std::string& name, PeersTree& made, PeersScene& peers, CommandContext& context) {
+    Tracers over{name, {}, {}};
+    BuildReport report;
+    over.tree = build_tree(peers.scene.triangles, made.build, &report, {}, context.stop, peers.session.threads);
     check_stop(context);
-    return made;
+    made.build_ms = 1e3 * report.seconds;
+    peers.trees[name] = made;
+    return over;
 }
 
-/// The tracer over one tree; packets of every size, as far as --packet does not name one.
-void add_own(const CommonOptions& options, const FlatScene& scene, TracerKind kind, int leaf_block, Tracers& over,
-             std::vector<RayContestant>& contestants) {
-    over.all.push_back(std::make_unique<CpuTracer>(scene, over.tree, cpu_mode(kind)));
+/// The tracer over one tree; packets of every size.
+void add_own(const PeersScene& peers, TracerKind kind, Tracers& over, std::vector<RayContestant>& contestants) {
+    over.all.push_back(std::make_unique<CpuTracer>(peers.scene, over.tree, cpu_mode(kind)));
     const bool packets = kind == TracerKind::cpu_packet;
     for (const int packet : packets ? std::vector{4, 8, 16} : std::vector{1}) {
-        TraceConfig config = options.session.trace;
+        TraceConfig config = peers.session.trace;
         config.traversal = Traversal::stack;
+        config.nodes = peers.trees.at(over.name).nodes;
         config.counters = false;
         if (packets) config.packet_size = packet;
         contestants.push_back(
-            {std::string(name_of(kind)), packet, leaf_block,
+            {std::string(name_of(kind)), packet, over.name,
              [tracer = over.all.back().get(), config](const BenchRays& rays, int threads, std::span<Hit> hits) {
                  tracer->trace_rays(config, rays.rays, rays.any_hit(), hits, {}, threads);
              }});
@@ -52,7 +54,7 @@ void add_own(const CommonOptions& options, const FlatScene& scene, TracerKind ki
 
 void add_peers(const std::vector<std::unique_ptr<PeerTracer>>& peers, std::vector<RayContestant>& contestants) {
     for (const auto& peer : peers)
-        contestants.push_back({std::string(peer->name()), peer->width(), 0,
+        contestants.push_back({std::string(peer->name()), peer->width(), "",
                                [peer = peer.get()](const BenchRays& rays, int threads, std::span<Hit> hits) {
                                    const PeerQuery query{rays.any_hit(), rays.coherent(), threads};
                                    peer->trace(rays.rays, query, hits);
@@ -84,22 +86,23 @@ bool bench_peers(const CommonOptions& options, const PeerBenchOptions& how, cons
     ProgressLine progress(context);
     progress.show(0, what);
 
-    std::vector<int> blocks{s.build.leaf_block};
-    if (s.build.leaf_block != wide_block) blocks.push_back(wide_block);
+    // The tree that is asked for, and those in which cpu-wide and cpu-packet are at their best.
     std::vector<Tracers> trees;
-    for (const int block : blocks) {
-        BuildConfig config = s.build;
-        config.leaf_block = block;
-        trees.push_back(build(peers.scene, config, s.threads, context));
-        peers.build_ms[block] = 1e3 * trees.back().built.seconds;
+    PeersTree asked{s.build, s.trace.nodes};
+    trees.push_back(build("asked", asked, peers, context));
+    for (const TracerKind kind : {TracerKind::cpu_wide, TracerKind::cpu_packet}) {
+        PeersTree suited{suited_tree(cpu_mode(kind), s.build), s.trace.nodes};
+        if (kind == TracerKind::cpu_packet && !options.nodes) suited.nodes = NodeEncoding::packed;
+        trees.push_back(build(std::string(name_of(kind)), suited, peers, context));
     }
     const auto rivals = make_peers(peers.scene);
     check_stop(context);
     std::vector<RayContestant> contestants;
     add_peers(rivals, contestants);
-    for (std::size_t i = 0; i < trees.size(); ++i)
+    for (Tracers& over : trees)
         for (const TracerKind kind : wanted_tracers(options))
-            if (runs_on_cpu(kind)) add_own(options, peers.scene, kind, blocks[i], trees[i], contestants);
+            if (runs_on_cpu(kind) && (over.name == "asked" || over.name == name_of(kind)))
+                add_own(peers, kind, over, contestants);
     const std::vector<BenchRays> rays = bench_rays(peers.scene, trees.front().tree, s.width, s.height, s.seed);
     const auto tell = [&](const std::string& running) {
         check_stop(context);

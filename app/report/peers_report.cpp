@@ -17,6 +17,7 @@ Json json_of(const PeersScene& peers, const RayBenchRow& row) {
     const TimeSummary time = row.timed.total();
     const bool spin = row.rays == 0;
     const bool own = !row.is_peer();
+    const PeersTree tree = own ? peers.trees.at(row.tree) : PeersTree{};
     Json speeds = Json::object();
     for (const SpeedOfPeer& of : speeds_of_peers(peers.result, row)) speeds[of.peer] = kd::json_of(of.speed);
     Json json{{"scene", peers.session.scene},
@@ -24,9 +25,10 @@ Json json_of(const PeersScene& peers, const RayBenchRow& row) {
               {"ray_type", ray_type_names[std::size_t(row.type)]},
               {"traversal", own ? Json(info(Traversal::stack).name) : Json(nullptr)},
               {"packet", row.packet},
-              {"builder", own ? Json(peers.session.build.builder) : Json(nullptr)},
-              {"leaf_block", own ? Json(row.leaf_block) : Json(nullptr)},
-              {"build_ms", own ? Json(peers.build_ms.at(row.leaf_block)) : Json(nullptr)},
+              {"tree", own ? Json(row.tree) : Json(nullptr)},
+              {"nodes", own ? Json(bytes_of(tree.nodes)) : Json(nullptr)},
+              {"build", own ? kd::json_of(tree.build) : Json(nullptr)},
+              {"build_ms", own ? Json(tree.build_ms) : Json(nullptr)},
               {"threads", row.threads},
               {"width", peers.session.width},
               {"height", peers.session.height},
@@ -64,8 +66,8 @@ std::string gain_text(const RayBenchRow& row) {
 void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
     using enum TextTable::Align;
     const bool threads = !peers.result.spins.empty();
-    std::vector<TextTable::Column> columns{{"tracer", left}, {"block"},  {"ms"},    {"p25"},
-                                           {"p75"},          {"Mray/s"}, {"differ"}};
+    std::vector<TextTable::Column> columns{{"tracer", left}, {"tree", left}, {"ms"},    {"p25"},
+                                           {"p75"},          {"Mray/s"},     {"differ"}};
     columns.push_back({"of robust", left});
     columns.push_back({"of default", left});
     if (threads) {
@@ -80,7 +82,7 @@ void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
         const bool own = !row.is_peer();
         std::vector<std::string> cells{own && row.packet > 1 ? fmt::format("{} {}", row.tracer, row.packet)
                                                              : row.tracer,
-                                       own ? fmt::format("{}", row.leaf_block) : "",
+                                       row.tree,
                                        fmt::format("{:.2f}", time.median_ms),
                                        fmt::format("{:.2f}", time.p25_ms),
                                        fmt::format("{:.2f}", time.p75_ms),
@@ -118,8 +120,12 @@ Json peers_json(const PeersScene& peers) {
 
 void print(std::ostream& out, const PeersScene& peers, int warmup) {
     const Session& s = peers.session;
-    out << fmt::format("{}: {}, {} trees, {}, {}, {}\n", s.scene, counted(peers.scene.triangles.size(), "triangle"),
-                       s.build.builder, peers.on.cpu, cpu_target_name(), peers.peers);
+    out << fmt::format("{}: {}, {}, {}, {}\n", s.scene, counted(peers.scene.triangles.size(), "triangle"), peers.on.cpu,
+                       cpu_target_name(), peers.peers);
+    for (const auto& [name, tree] : peers.trees)
+        out << fmt::format("tree {}: {}, t_i {}, leaf {}, blocks of {}, empty cut {}, nodes of {} bytes, {:.1f} ms\n",
+                           name, tree.build.builder, tree.build.intersection_cost, tree.build.leaf_size,
+                           tree.build.leaf_block, tree.build.empty_cut, bytes_of(tree.nodes), tree.build_ms);
     std::size_t rounds = 0;
     for (std::size_t type = 0; type < ray_type_names.size(); ++type) {
         const auto row = std::ranges::find(peers.result.rows, RayType(type), &RayBenchRow::type);
@@ -133,9 +139,9 @@ void print(std::ostream& out, const PeersScene& peers, int warmup) {
         out << fmt::format("a spin loop gains {} from {} threads beside {} rays\n", ratio_text(*spin.gain),
                            spin.threads, ray_type_names[std::size_t(spin.type)]);
     out << fmt::format(
-        "\n{} in turn after {} warm-up. block: triangles that the tree was built for; ms: median; p25 to p75: their\n"
-        "middle half; differ: rays answered otherwise than by {}; of robust, of default: speed over the\n"
-        "peer's, with single rays or with packets of 16, and in brackets its 95 % interval.\n",
+        "\n{} in turn after {} warm-up. ms: median; p25 to p75: their middle half; differ: rays that are\n"
+        "answered otherwise than by {}; of robust, of default: speed over the peer's, with\n"
+        "single rays or with packets of 16, and in brackets its 95 % interval.\n",
         counted(rounds, "round"), warmup, reference_peer);
 }
 

@@ -12,11 +12,18 @@
 
 namespace kd {
 
+/// One of kdscope's trees, and how its nodes are kept.
+struct PeersTree {
+    BuildConfig build;
+    NodeEncoding nodes = NodeEncoding::float4;
+    double build_ms = 0;
+};
+
 struct PeersScene {
     Session session;
     FlatScene scene;
-    std::string peers;               // "Embree 3.13.5"
-    std::map<int, double> build_ms;  // of kdscope's trees, by the leaf block that they were built for
+    std::string peers;                       // "Embree 3.13.5"
+    std::map<std::string, PeersTree> trees;  // by name: "asked", and those that suit a tracer, by its name
     RayBench result;
     MeasuredOn on;
 };

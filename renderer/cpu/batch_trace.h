@@ -60,6 +60,6 @@ class BatchTracer {
         batch_.extract(lane, s);
         hits[lane] = {-1, batch_.t_max[lane], 0.0f, 0.0f};
         kernel_.observe(observers[lane]);
-        kernel_.walk_below(s, 0, batch_.begin[lane], batch_.end[lane], any_hit, hits[lane]);
+        kernel_.walk_subtree(s, 0, batch_.begin[lane], batch_.end[lane], any_hit, hits[lane]);
     }
 };

@@ -228,7 +228,7 @@ class PacketWalk {
             Hit hit = hit_of(lane);
             kernel_.observe(observers_[lane]);
             kernel_.begin_above(depth_[lane]);
-            kernel_.walk_below(s, from.node, from.begin[lane], from.end[lane], any_hit_, hit);
+            kernel_.walk_subtree(s, from.node, from.begin[lane], from.end[lane], any_hit_, hit);
             keep(lane, hit);
         }
         kernel_.begin_above(0);

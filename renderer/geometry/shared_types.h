@@ -28,6 +28,7 @@
 #define KD_CONST(T) static constexpr T
 #define IS_NAN(x) false          // in C++ a comparison with NaN fails by itself
 #define KD_CORRECTED_ROUNDING 0  // C++ rounds quotients and roots to nearest
+#define KD_FUSED 0               // not every processor has a fused multiply-add
 #define KD_RARE(condition) __builtin_expect(!!(condition), 0)
 
 namespace kd {

@@ -37,7 +37,9 @@ class CompilingNote {
 
 GlTracer::Impl::Impl(Context& context, GlMode how)
     : gl(context.gl()), mode(how), compute(compute_settings_in_force()), software(context.is_software()),
-      limits(limits_of(gl)), programs(gl), timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
+      // GLSL lets fma() round twice. NVIDIA's machines have it as one instruction; verify would show it elsewhere.
+      fused(context.renderer().find("NVIDIA") != std::string::npos), limits(limits_of(gl)), programs(gl),
+      timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
     if (!compute.storage) compute.storage = !software;
     if (mode == GlMode::wavefront || (mode == GlMode::compute && *compute.storage)) {
         GLint64 bytes = 0;
@@ -65,6 +67,7 @@ ProgramSettings GlTracer::Impl::settings_of(const TraceConfig& config) {
     settings.trace = config;
     settings.needs = needs_of(config);
     settings.limited_loops = software;
+    settings.fused = fused;
     settings.corrected_rounding = corrected_rounding;
     return settings;
 }

@@ -26,6 +26,7 @@ struct GlTracer::Impl {
     GlMode mode;
     ComputeSettings compute;  // of compute shaders
     bool software;
+    bool fused;  // fma() rounds once
     bool corrected_rounding = !software;
     GlLimits limits;
     ProgramCache programs;

@@ -128,6 +128,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
         {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays && !is_kernel(step))},
         {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
+        {"KD_FUSED", flag(s.fused && step != Step::mark)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
     key.defines.merge(defines_of_mode(step, s, walks));

@@ -21,10 +21,10 @@ struct ProgramSettings {
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
-    int phase = 0;                    // GlMode::wavefront: 1 asks for the rays, 2 reads their answers; 0: neither
-    bool later_bounce = false;        // rt_refl and shade_refl after the first bounce
-    bool limited_loops = false;       // the driver ends loops by itself (software renderers)
-    bool corrected_rounding = false;  // see shaders/shared/rounding.glsl
+    int phase = 0;               // GlMode::wavefront: 1 asks for the rays, 2 reads their answers; 0: neither
+    bool later_bounce = false;   // rt_refl and shade_refl after the first bounce
+    bool limited_loops = false;  // the driver ends loops by itself (software renderers)
+    bool fused = false, corrected_rounding = false;  // see shaders/shared/rounding.glsl
 };
 
 /// Whether a step traces rays.

@@ -96,7 +96,7 @@ class Run {
             for (const int threads : thread_counts()) {
                 RayBenchRow row{.tracer = c.tracer,
                                 .packet = c.packet,
-                                .leaf_block = c.leaf_block,
+                                .tree = c.tree,
                                 .threads = threads,
                                 .type = rays.type,
                                 .rays = std::int64_t(n)};
@@ -153,7 +153,7 @@ class Run {
 
 std::string RayContestant::name() const {
     if (is_peer()) return tracer;
-    return fmt::format("{}{}, blocks of {}", tracer, packet > 1 ? fmt::format(" {}", packet) : "", leaf_block);
+    return fmt::format("{}{}, tree {}", tracer, packet > 1 ? fmt::format(" {}", packet) : "", tree);
 }
 
 double RayBenchRow::mrays_per_s() const {

@@ -19,12 +19,12 @@ namespace kd {
 struct RayContestant {
     std::string tracer;  // "cpu-packet", "embree-1-robust"
     int packet = 1;      // rays at once
-    int leaf_block = 0;  // of kdscope's tree; 0 for peers, which have none
+    std::string tree;    // which of kdscope's; empty for peers, which have their own
     /// Nearest hits, or whether there is any; on so many threads.
     std::function<void(const BenchRays& rays, int threads, std::span<Hit> hits)> trace;
 
-    [[nodiscard]] bool is_peer() const { return leaf_block == 0; }
-    /// "cpu-packet 16, blocks of 8", "embree-1".
+    [[nodiscard]] bool is_peer() const { return tree.empty(); }
+    /// "cpu-packet 16, tree asked for", "embree-1".
     [[nodiscard]] std::string name() const;
 };
 
@@ -33,7 +33,9 @@ inline constexpr const char* reference_peer = "embree-1-robust";
 
 struct RayBenchRow {
     std::string tracer;
-    int packet = 1, leaf_block = 0, threads = 1;
+    int packet = 1;
+    std::string tree{};
+    int threads = 1;
     RayType type = RayType::primary;
     std::int64_t rays = 0, hits = 0;
     std::int64_t differ = 0;  // rays with another answer than the reference peer's: see differs()
@@ -41,7 +43,7 @@ struct RayBenchRow {
     /// Time on one thread over time on `threads`, and the same over what a spin loop gained; none on one thread.
     std::optional<MedianInterval> gain{}, gain_of_spin{};
 
-    [[nodiscard]] bool is_peer() const { return leaf_block == 0; }
+    [[nodiscard]] bool is_peer() const { return tree.empty(); }
     [[nodiscard]] double mrays_per_s() const;
 };
 

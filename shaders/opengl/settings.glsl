@@ -110,6 +110,11 @@
 #define KD_CORRECTED_ROUNDING 0
 #endif
 
+// 1: fma rounds once.
+#ifndef KD_FUSED
+#define KD_FUSED 0
+#endif
+
 // 1: the driver ends loops after a number of iterations without a word, as llvmpipe does.
 #ifndef KD_LOOP_LIMIT
 #define KD_LOOP_LIMIT 0

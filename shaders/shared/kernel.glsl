@@ -14,8 +14,9 @@
 //           real3 scene_ambient()      real3 scene_background()
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)
-// Macros:   KD_TRAVERSE (the walk to call), KD_TEST_LEAF (what walks call at a leaf: test_leaf, or what does the same), KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_CORRECTED_ROUNDING, KD_STACK_SIZE,
-//           KD_LONG_TRAIL, KD_SHORT_STACK, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
+// Macros:   KD_TRAVERSE (the walk to call), KD_TEST_LEAF (what walks call at a leaf: test_leaf, or what does the same),
+//           KD_RULES (one of KD_RULES_...), KD_DEKKER, KD_FUSED, KD_CORRECTED_ROUNDING, KD_STACK_SIZE, KD_LONG_TRAIL,
+//           KD_SHORT_STACK, KD_FN, KD_CONST, KD_RARE, PRECISE, IN, OUT, INOUT,
 //           AXIS(vector, axis) (component by number), IS_NAN(x)
 
 #include "vector.glsl"

@@ -2,18 +2,23 @@
 // 2.5 units in the last place, and an NVIDIA GPU uses them. With KD_CORRECTED_ROUNDING 1 the remainder, which is exact,
 // says how far off the machine's own answer is: hits and counters are then the same to the last bit there too.
 
-/// a*b minus its rounded value, exactly unless it underflows (Dekker, Numerische Mathematik 18, 1971). KD_DEKKER halves
-/// the digits: 2^12 + 1 for a float's 24 bits, 2^27 + 1 for a double's 53.
+/// a*b minus its rounded value, exactly unless it underflows. With KD_FUSED 1 a fused multiply-add, where the machine has
+/// one that rounds once; else after Dekker (Numerische Mathematik 18, 1971). KD_DEKKER halves the digits: 2^12 + 1 for a
+/// float's 24 bits, 2^27 + 1 for a double's 53.
 KD_FN real product_error(real a, real b)
 {
+    PRECISE real product = a * b;
+#if KD_FUSED
+    PRECISE real error = fma(a, b, -product);
+#else
     PRECISE real a_scaled = a * KD_DEKKER;
     PRECISE real a_high = a_scaled - (a_scaled - a);
     PRECISE real a_low = a - a_high;
     PRECISE real b_scaled = b * KD_DEKKER;
     PRECISE real b_high = b_scaled - (b_scaled - b);
     PRECISE real b_low = b - b_high;
-    PRECISE real product = a * b;
     PRECISE real error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+#endif
     return error;
 }
 

@@ -1,7 +1,7 @@
 // Depth-first, near child first, far children on a stack: the paper's CPURT.
 
 /// Visits what lies below `node`, over the part of the ray inside of its cell.
-KD_FN void walk_below(IN(RaySetup) s, int node, real t_begin, real t_end, bool any_hit, INOUT(Hit) hit)
+KD_FN void walk_subtree(IN(RaySetup) s, int node, real t_begin, real t_end, bool any_hit, INOUT(Hit) hit)
 {
     int stack_node[KD_STACK_SIZE];
     real stack_begin[KD_STACK_SIZE];
@@ -61,5 +61,5 @@ KD_FN void traverse_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     real t_begin;
     real t_end;
     int node = entry_node();
-    if (enter_at(s, node, t_begin, t_end)) walk_below(s, node, t_begin, t_end, any_hit, hit);
+    if (enter_at(s, node, t_begin, t_end)) walk_subtree(s, node, t_begin, t_end, any_hit, hit);
 }

@@ -93,8 +93,8 @@ TEST(RayBench, AnswersDifferByHitAndByT) {
 }
 
 /// Answers every ray with this hit.
-RayContestant answering(const char* name, int leaf_block, Hit hit) {
-    return {name, 1, leaf_block, [hit](const BenchRays&, int, std::span<Hit> hits) { std::ranges::fill(hits, hit); }};
+RayContestant answering(const char* name, const char* tree, Hit hit) {
+    return {name, 1, tree, [hit](const BenchRays&, int, std::span<Hit> hits) { std::ranges::fill(hits, hit); }};
 }
 
 TEST(RayBench, TracersThatDisagreeAreTold) {
@@ -102,12 +102,13 @@ TEST(RayBench, TracersThatDisagreeAreTold) {
     const Hit hit{3, 2.0f, 0.5f, 0.25f};
     Hit bit = hit;
     bit.u = std::nextafter(hit.u, 1.0f);
-    const std::vector<RayContestant> contestants{answering(reference_peer, 0, {-1, 1, 0, 0}), answering("cpu", 1, hit),
-                                                 answering("cpu-wide", 1, hit), answering("cpu-packet", 8, bit)};
+    const std::vector<RayContestant> contestants{answering(reference_peer, "", {-1, 1, 0, 0}),
+                                                 answering("cpu", "asked", hit), answering("cpu-wide", "asked", hit),
+                                                 answering("cpu-packet", "cpu-wide", bit)};
     const RayBench bench = bench_tracers(rays, contestants, {.timing = {.warmup = 0, .rounds = 6}, .tell = {}});
     ASSERT_EQ(bench.disagreements.size(), 1u) << "of shadow rays only whether they hit counts";
     EXPECT_EQ(bench.disagreements[0],
-              "7 of 7 primary rays: cpu, blocks of 1 and cpu-packet, blocks of 8 do not hit the same");
+              "7 of 7 primary rays: cpu, tree asked and cpu-packet, tree cpu-wide do not hit the same");
     ASSERT_EQ(bench.rows.size(), 8u);
     EXPECT_EQ(bench.rows[0].differ, 0) << "the reference itself";
     EXPECT_EQ(bench.rows[1].differ, 7);
@@ -118,7 +119,7 @@ TEST(RayBench, TracersThatDisagreeAreTold) {
 
 TEST(RayBench, ThreadsAreHeldAgainstOne) {
     const std::vector<BenchRays> rays{{RayType::random, std::vector<Ray>(9)}};
-    const std::vector<RayContestant> contestants{answering("cpu", 1, {-1, 1, 0, 0})};
+    const std::vector<RayContestant> contestants{answering("cpu", "asked", {-1, 1, 0, 0})};
     const RayBench bench =
         bench_tracers(rays, contestants, {.timing = {.warmup = 0, .rounds = 6}, .threads = 2, .tell = {}});
     ASSERT_EQ(bench.rows.size(), 2u);
@@ -142,7 +143,8 @@ TEST(BenchPeers, EveryContestantHasARowForEveryTypeOfRays) {
         ++rows[tracer + " " + row["ray_type"].get<std::string>()];
         const bool packets = row["packet"].get<int>() > 1, own = tracer.starts_with("cpu");
         EXPECT_EQ(row["threads"], 1);
-        EXPECT_EQ(own, !row["leaf_block"].is_null());
+        EXPECT_EQ(own, !row["tree"].is_null());
+        EXPECT_EQ(own, !row["build"].is_null());
         EXPECT_EQ(own, !row["instructions"].is_null());
         EXPECT_EQ(row["rounds"], 6);
         EXPECT_GT(row["mrays_per_s"], 0.0);
@@ -157,7 +159,8 @@ TEST(BenchPeers, EveryContestantHasARowForEveryTypeOfRays) {
     for (const char* type : {"primary", "shadow", "random"}) {
         for (const char* peer : {"embree-1", "embree-1-robust", "embree-16", "embree-16-robust"})
             expected[std::string(peer) + " " + type] = 1;
-        for (const char* single : {"cpu", "cpu-wide"}) expected[std::string(single) + " " + type] = 2;
+        expected[std::string("cpu ") + type] = 1;
+        expected[std::string("cpu-wide ") + type] = 2;
         expected[std::string("cpu-packet ") + type] = 6;
     }
     EXPECT_EQ(rows, expected);

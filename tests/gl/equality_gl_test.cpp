@@ -34,10 +34,16 @@ struct Case {
 
 constexpr ContextKind contexts[] = {ContextKind::osmesa, ContextKind::egl};
 
+/// `cases`: as many for one context as for the other. Fragment shaders get all of them; of many, the other modes get
+/// every second one, in the other context the ones left out in this: both contexts compile with the same compiler here.
 std::vector<Case> in_all_modes(const std::vector<Case>& cases) {
     std::vector<Case> all;
+    const std::size_t half = cases.size() / 2;
     for (const GlMode mode : gl_modes)
-        for (Case each : cases) {
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const bool has_its_turn = (i % half + i / half + std::size_t(mode)) % 2 == 0;
+            if (mode != GlMode::fragment && half > 1 && !has_its_turn) continue;
+            Case each = cases[i];
             each.mode = mode;
             if (test::traces(mode, {.traversal = each.traversal})) all.push_back(each);
         }
@@ -206,16 +212,16 @@ TEST_P(EqualityOfPassesGl, ChoicesOfTheWalks) {
         {.traversal = Traversal::backtrack, .entry_tile = 8},
         {.traversal = Traversal::short_stack, .short_stack = 2, .entry_tile = 1},
     };
+    NodeEncoding nodes = NodeEncoding::float4;
     for (const TraceConfig& choice : choices) {
         SCOPED_TRACE(testing::Message() << info(choice.traversal).name << ", " << choice.short_stack
                                         << " entries, tiles of " << choice.entry_tile);
         EXPECT_NE(primary_visits(scene, choice), primary_visits(scene, {.traversal = choice.traversal}))
             << "a choice that changes nothing";
-        for (const NodeEncoding nodes : {NodeEncoding::float4, NodeEncoding::packed}) {
-            config.trace = choice;
-            config.trace.leaf_lists = GetParam().lists;
-            compare(scene, {}, nodes);
-        }
+        config.trace = choice;
+        config.trace.leaf_lists = GetParam().lists;
+        compare(scene, {}, nodes);
+        nodes = nodes == NodeEncoding::float4 ? NodeEncoding::packed : NodeEncoding::float4;
     }
 }
 
