@@ -20,7 +20,7 @@ struct ComputeSettings {
     // from textures on llvmpipe, which reads those a third faster.
     std::optional<bool> storage = {};
 
-    // Shading and reflections over lists of the pixels that have work, or over all pixels; empty: over lists on
+    // Reflections over lists of the pixels that reflect, or over all pixels; empty: over lists on
     // llvmpipe, which runs a pass to its end where no lane has work.
     std::optional<bool> lists = {};
 

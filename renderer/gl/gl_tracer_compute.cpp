@@ -32,12 +32,12 @@ class ComputedPasses : public FramePasses {
     void enter_tile() override { clear_tile(); }
 
     void prepare(Pass pass, int bounce) override {
-        settings_.listed = t_.lists_pixels && pass != Pass::rt_prim;
+        settings_.listed = t_.lists_pixels && (pass == Pass::rt_refl || pass == Pass::shade_refl);
         if (t_.mode == GlMode::wavefront)
             (void)t_.wavefront_programs(step_of(pass), settings_);
         else
             (void)t_.program(step_of(pass), settings_);
-        if (makes_list(pass)) (void)t_.program(list_step(pass), settings_of_list());
+        if (makes_list(pass)) (void)t_.program(Step::list_reflections, settings_of_list());
         const LayerTargets& layer = t_.targets.layer(pass);
         ImageSet images{layer.counters_a.id(), layer.counters_b.id(), layer.hit.id(), 0, 0};
         if (pass == Pass::rt_refl) {
@@ -52,7 +52,7 @@ class ComputedPasses : public FramePasses {
 
     void run(Pass pass) override {
         if (t_.mode == GlMode::wavefront) return t_.run_wavefront(step_of(pass), settings_, tile_);
-        if (makes_list(pass)) list_pixels(pass);
+        if (makes_list(pass)) list_pixels();
         gl_.UseProgram(t_.program(step_of(pass), settings_));
         if (!settings_.listed) return t_.dispatch(tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
         t_.pixels.dispatch(gl_);
@@ -60,9 +60,7 @@ class ComputedPasses : public FramePasses {
     }
 
     /// ShadeRefl works at the pixels that RTRefl has worked at.
-    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass != Pass::shade_refl; }
-
-    static Step list_step(Pass pass) { return pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits; }
+    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass == Pass::rt_refl; }
 
     /// Lists are made over the whole tile, each pixel by its own invocation.
     [[nodiscard]] ProgramSettings settings_of_list() const {
@@ -72,9 +70,9 @@ class ComputedPasses : public FramePasses {
         return settings;
     }
 
-    void list_pixels(Pass pass) {
+    void list_pixels() {
         t_.pixels.begin(gl_);
-        gl_.UseProgram(t_.program(list_step(pass), settings_of_list()));
+        gl_.UseProgram(t_.program(Step::list_reflections, settings_of_list()));
         dispatch_blocks(gl_, settings_of_list().compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
         wait_for_stores(gl_);
     }

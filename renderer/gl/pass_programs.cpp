@@ -8,9 +8,8 @@ namespace kd {
 
 namespace {
 
-constexpr std::array<const char*, 10> entry_points{
-    "rt_prim", "shade_prim", "rt_refl",   "shade_refl", "mark",
-    "rays",    "traverse",   "intersect", "list_hits",  "list_reflections"};
+constexpr std::array<const char*, 9> entry_points{"rt_prim", "shade_prim", "rt_refl",   "shade_refl",      "mark",
+                                                  "rays",    "traverse",   "intersect", "list_reflections"};
 
 std::string_view walk_function(const TraceConfig& trace) {
     const TraversalInfo& walk = info(trace.traversal);
@@ -19,7 +18,6 @@ std::string_view walk_function(const TraceConfig& trace) {
 
 bool is_kernel(Step step) { return step == Step::traverse || step == Step::intersect; }
 bool is_pass(Step step) { return step <= Step::shade_refl; }
-bool is_list(Step step) { return step == Step::list_hits || step == Step::list_reflections; }
 
 void name_files(ProgramKey& key, Step step, GlMode mode) {
     const std::string name = entry_points[static_cast<std::size_t>(step)];
@@ -75,7 +73,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
 
 bool step_walks(Step step, const SceneNeeds& needs) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    return step != Step::mark && !is_list(step) && (!shades || needs.shadows);
+    return step != Step::mark && step != Step::list_reflections && (!shades || needs.shadows);
 }
 
 ProgramKey plan_key(int queue, const ProgramSettings& s) {
@@ -103,8 +101,8 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
     const bool walks = step_walks(step, s.needs);
-    const bool looks_up_materials = step != Step::rays && step != Step::list_hits && !is_kernel(step) &&
-                                    (step != Step::rt_prim || s.needs.reflections);
+    const bool looks_up_materials =
+        step != Step::rays && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
     ProgramKey key;
     name_files(key, step, s.mode);
     // What a step does not read stays at one value, so that it shares programs across settings.
@@ -131,7 +129,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
          walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
         {"KD_COUNT_SHADED", flag(s.count_shaded && is_pass(step))},
-        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark && !is_list(step))},
+        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark && step != Step::list_reflections)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
     key.defines.merge(defines_of_mode(step, s, walks));
