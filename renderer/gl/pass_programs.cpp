@@ -59,7 +59,6 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
                           {"KD_GROUP_X", std::to_string(s.compute.x)},
                           {"KD_GROUP_Y", std::to_string(s.compute.y)},
                           {"KD_MORTON", flag(s.compute.morton)},
-                          {"KD_DEAL_ROWS", flag(s.limited_loops)},
                           {"KD_LISTED", flag(s.listed)},
                           {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
                           {"KD_STORAGE", flag(s.compute.storage.value_or(true))}};

@@ -49,22 +49,9 @@ void main()
     }
 }
 #else
-/// llvmpipe gives each thread one run of groups, so that a picture with more work below would keep one waiting: each half
-/// of the groups has every other row.
-int2 block_of_group()
-{
-#if KD_DEAL_ROWS
-    uint even_rows = (gl_NumWorkGroups.y + 1u) / 2u;
-    uint y = gl_WorkGroupID.y;
-    return int2(gl_WorkGroupID.x, y < even_rows ? 2u * y : 2u * (y - even_rows) + 1u);
-#else
-    return int2(gl_WorkGroupID.xy);
-#endif
-}
-
 void main()
 {
-    run_in_tile(block_of_group());
+    run_in_tile(int2(gl_WorkGroupID.xy));
 }
 #endif
 #endif

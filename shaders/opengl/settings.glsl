@@ -129,9 +129,6 @@
 #ifndef KD_STORAGE
 #define KD_STORAGE 1
 #endif
-#ifndef KD_DEAL_ROWS
-#define KD_DEAL_ROWS 0 // 1: rows of groups are dealt to two threads
-#endif
 #ifndef KD_LISTED
 #define KD_LISTED 0
 #endif
