@@ -26,7 +26,8 @@ enum class Unit : unsigned {
     entries = path_hit,  // nor has rt_prim.glsl
 };
 
-// Storage buffers behind the tables (shaders/wavefront).
+// Storage buffers behind the tables; the rays are of shaders/wavefront.
+inline constexpr unsigned pixel_list = 5;  // shaders/compute/pixel_list.glsl
 inline constexpr unsigned ray_states = 5;
 inline constexpr unsigned queue_counts = 6;
 inline constexpr unsigned ray_queues = 7;

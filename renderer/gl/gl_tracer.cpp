@@ -41,6 +41,7 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
       fused(context.renderer().find("NVIDIA") != std::string::npos), limits(limits_of(gl)), programs(gl),
       timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
     if (!compute.storage) compute.storage = !software;
+    if (!compute.lists) compute.lists = software;
     if (mode == GlMode::wavefront || (mode == GlMode::compute && *compute.storage)) {
         GLint64 bytes = 0;
         gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
@@ -96,6 +97,7 @@ void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height
         const auto lights = std::max<std::int64_t>(1, std::ssize(scene().scene().lights));
         queues.reserve(gl, lights * width * height, words_per_ray(config, needs), limits.storage_bytes);
     }
+    lists_pixels = mode == GlMode::compute && *compute.lists && pixels.reserve(gl, std::int64_t(width) * height);
     const TargetKey key = target_key(needs, width, height);
     if (targets.key() == key) return;
     targets = FrameTargets();  // lets go of the old ones first
@@ -157,7 +159,7 @@ GlMemory GlTracer::memory() const {
     GlMemory memory;
     if (impl_->uploaded) impl_->uploaded->add_to(memory);
     memory.targets = impl_->targets.bytes();
-    memory.rays = impl_->queues.bytes();
+    memory.rays = impl_->queues.bytes() + impl_->pixels.bytes();
     return memory;
 }
 

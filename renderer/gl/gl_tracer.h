@@ -47,7 +47,7 @@ struct GlFrameReport {
 /// Memory that an upload takes, in bytes.
 struct GlMemory {
     std::int64_t nodes = 0, boxes = 0, references = 0, triangles = 0, attributes = 0, textures = 0, targets = 0,
-                 rays = 0;  // rays: states and queues of GlMode::wavefront
+                 rays = 0;  // states and queues of GlMode::wavefront, lists of pixels of GlMode::compute
 
     [[nodiscard]] std::int64_t total() const {
         return nodes + boxes + references + triangles + attributes + textures + targets + rays;

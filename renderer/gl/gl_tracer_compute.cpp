@@ -6,6 +6,23 @@ namespace kd {
 
 namespace {
 
+void dispatch_blocks(const GlApi& gl, const ComputeSettings& compute, int width, int height) {
+    // Over no pixel too: drivers finish compiling when a program first runs.
+    const int columns = std::max(1, (width + compute.x - 1) / compute.x);
+    const int rows = std::max(1, (height + compute.y - 1) / compute.y);
+    if (compute.persistent > 0)
+        gl.DispatchCompute(GLuint(std::min(compute.persistent, columns * rows)), 1, 1);
+    else
+        gl.DispatchCompute(GLuint(columns), GLuint(rows), 1);
+}
+
+/// What a dispatch has stored can then be read in any way.
+void wait_for_stores(const GlApi& gl) {
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                     GL_FRAMEBUFFER_BARRIER_BIT | GL_ATOMIC_COUNTER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                     GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
 /// The passes as dispatches over the tile. What quads leave to depth, blending and cleared targets, the shaders do.
 class ComputedPasses : public FramePasses {
   public:
@@ -15,10 +32,12 @@ class ComputedPasses : public FramePasses {
     void enter_tile() override { clear_tile(); }
 
     void prepare(Pass pass, int bounce) override {
+        settings_.listed = t_.lists_pixels && (pass == Pass::rt_refl || pass == Pass::shade_refl);
         if (t_.mode == GlMode::wavefront)
             (void)t_.wavefront_programs(step_of(pass), settings_);
         else
             (void)t_.program(step_of(pass), settings_);
+        if (makes_list(pass)) (void)t_.program(Step::list_reflections, settings_of_list());
         const LayerTargets& layer = t_.targets.layer(pass);
         ImageSet images{layer.counters_a.id(), layer.counters_b.id(), layer.hit.id(), 0, 0};
         if (pass == Pass::rt_refl) {
@@ -33,8 +52,29 @@ class ComputedPasses : public FramePasses {
 
     void run(Pass pass) override {
         if (t_.mode == GlMode::wavefront) return t_.run_wavefront(step_of(pass), settings_, tile_);
+        if (makes_list(pass)) list_pixels();
         gl_.UseProgram(t_.program(step_of(pass), settings_));
-        t_.dispatch(tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
+        if (!settings_.listed) return t_.dispatch(tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
+        t_.pixels.dispatch(gl_);
+        wait_for_stores(gl_);
+    }
+
+    /// ShadeRefl works at the pixels that RTRefl has worked at.
+    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass == Pass::rt_refl; }
+
+    /// Lists are made over the whole tile, each pixel by its own invocation.
+    [[nodiscard]] ProgramSettings settings_of_list() const {
+        ProgramSettings settings = settings_;
+        settings.listed = false;
+        settings.compute.persistent = 0;
+        return settings;
+    }
+
+    void list_pixels() {
+        t_.pixels.begin(gl_);
+        gl_.UseProgram(t_.program(Step::list_reflections, settings_of_list()));
+        dispatch_blocks(gl_, settings_of_list().compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
+        wait_for_stores(gl_);
     }
 };
 
@@ -48,15 +88,8 @@ void bind_images(const GlApi& gl, const ImageSet& images) {
 }
 
 void GlTracer::Impl::dispatch(int width, int height) const {
-    // Over no pixel too: drivers finish compiling when a program first runs.
-    const int columns = std::max(1, (width + compute.x - 1) / compute.x);
-    const int rows = std::max(1, (height + compute.y - 1) / compute.y);
-    if (compute.persistent > 0)
-        gl.DispatchCompute(GLuint(std::min(compute.persistent, columns * rows)), 1, 1);
-    else
-        gl.DispatchCompute(GLuint(columns), GLuint(rows), 1);
-    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
-                     GL_FRAMEBUFFER_BARRIER_BIT | GL_ATOMIC_COUNTER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    dispatch_blocks(gl, compute, width, height);
+    wait_for_stores(gl);
 }
 
 std::unique_ptr<FramePasses> computed_passes(GlTracer::Impl& tracer, const GlTraceConfig& config, Tile tile,

@@ -9,6 +9,7 @@
 #include "renderer/gl/frame_targets.h"
 #include "renderer/gl/pass_programs.h"
 #include "renderer/gl/pass_timer.h"
+#include "renderer/gl/pixel_list.h"
 #include "renderer/gl/ray_queues.h"
 #include "renderer/gl/scene_upload.h"
 
@@ -38,6 +39,8 @@ struct GlTracer::Impl {
     std::optional<SceneUpload> uploaded;
     FrameTargets targets;
     RayQueues queues;  // of GlMode::wavefront
+    PixelList pixels;  // of GlMode::compute
+    bool lists_pixels = false;
     std::function<void(int)> told_compiling;
     int compiling = 0;
 

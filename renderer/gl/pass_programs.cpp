@@ -8,8 +8,8 @@ namespace kd {
 
 namespace {
 
-constexpr std::array<const char*, 8> entry_points{"rt_prim", "shade_prim", "rt_refl",  "shade_refl",
-                                                  "mark",    "rays",       "traverse", "intersect"};
+constexpr std::array<const char*, 9> entry_points{"rt_prim", "shade_prim", "rt_refl",   "shade_refl",      "mark",
+                                                  "rays",    "traverse",   "intersect", "list_reflections"};
 
 std::string_view walk_function(const TraceConfig& trace) {
     const TraversalInfo& walk = info(trace.traversal);
@@ -17,6 +17,7 @@ std::string_view walk_function(const TraceConfig& trace) {
 }
 
 bool is_kernel(Step step) { return step == Step::traverse || step == Step::intersect; }
+bool is_pass(Step step) { return step <= Step::shade_refl; }
 
 void name_files(ProgramKey& key, Step step, GlMode mode) {
     const std::string name = entry_points[static_cast<std::size_t>(step)];
@@ -58,6 +59,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
                           {"KD_GROUP_X", std::to_string(s.compute.x)},
                           {"KD_GROUP_Y", std::to_string(s.compute.y)},
                           {"KD_MORTON", flag(s.compute.morton)},
+                          {"KD_LISTED", flag(s.listed)},
                           {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
                           {"KD_STORAGE", flag(s.compute.storage.value_or(true))}};
     if (s.mode == GlMode::wavefront) {
@@ -71,7 +73,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
 
 bool step_walks(Step step, const SceneNeeds& needs) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    return step != Step::mark && (!shades || needs.shadows);
+    return step != Step::mark && step != Step::list_reflections && (!shades || needs.shadows);
 }
 
 ProgramKey plan_key(int queue, const ProgramSettings& s) {
@@ -126,9 +128,14 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_SHORT_STACK",
          walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
+<<<<<<< HEAD
         {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays && !is_kernel(step))},
         {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
         {"KD_FUSED", flag(s.fused && step != Step::mark)},
+=======
+        {"KD_COUNT_SHADED", flag(s.count_shaded && is_pass(step))},
+        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark && step != Step::list_reflections)},
+>>>>>>> c392b67593f473407b28a7c009706e82a0e48508
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
     key.defines.merge(defines_of_mode(step, s, walks));

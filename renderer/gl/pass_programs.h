@@ -10,8 +10,8 @@ namespace kd {
 
 /// The steps that draw: the paper's passes, `mark` between bounces (of fragment shaders alone), and `rays`
 /// outside of frames. `traverse` and `intersect` are the kernels of GlMode::wavefront, which walk the rays of all
-/// others.
-enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays, traverse, intersect };
+/// others; `list_reflections` tells GlMode::compute which pixels reflect.
+enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays, traverse, intersect, list_reflections };
 
 /// What decides a program beside its step.
 struct ProgramSettings {
@@ -21,6 +21,7 @@ struct ProgramSettings {
     SceneNeeds needs;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
+    bool listed = false;         // GlMode::compute: works at a list of pixels
     int phase = 0;               // GlMode::wavefront: 1 asks for the rays, 2 reads their answers; 0: neither
     bool later_bounce = false;   // rt_refl and shade_refl after the first bounce
     bool limited_loops = false;  // the driver ends loops by itself (software renderers)

@@ -1,26 +1,22 @@
-// Which pixels an invocation works at: one, or with KD_PERSISTENT (Aila and Laine 2009) as many as its group fetches until the
-// tile has no more. Defines main(); run_pass() stands above.
+// Which pixels an invocation works at: one of the tile, with KD_LISTED one of a list, or with KD_PERSISTENT (Aila and Laine
+// 2009) as many as its group fetches until the tile has no more. Defines main(); run_pass() stands above.
 
 layout(local_size_x = KD_GROUP_X, local_size_y = KD_GROUP_Y) in;
 
-/// Bits 0, 2, 4, ... pushed together.
-uint even_bits(uint x)
+#if KD_LISTED
+#include "pixel_list.glsl"
+
+void main()
 {
-    x &= 0x55555555u;
-    x = (x | x >> 1) & 0x33333333u;
-    x = (x | x >> 2) & 0x0f0f0f0fu;
-    return (x | x >> 4) & 0xffu;
+    uint group = gl_WorkGroupID.y * groups_in_a_row + gl_WorkGroupID.x;
+    uint place = group * uint(KD_GROUP_X * KD_GROUP_Y) + gl_LocalInvocationIndex;
+    if (place >= kd_listed) return;
+    uint pixel = kd_pixels[place];
+    run_pass(int2(pixel & 0xffffu, pixel >> 16));
 }
 
-/// This invocation's pixel in its group.
-int2 place_in_group()
-{
-#if KD_MORTON
-    return int2(even_bits(gl_LocalInvocationIndex), even_bits(gl_LocalInvocationIndex >> 1));
 #else
-    return int2(gl_LocalInvocationID.xy);
-#endif
-}
+#include "place_in_group.glsl"
 
 void run_in_tile(int2 group)
 {
@@ -57,4 +53,5 @@ void main()
 {
     run_in_tile(int2(gl_WorkGroupID.xy));
 }
+#endif
 #endif

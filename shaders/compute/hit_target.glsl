@@ -41,10 +41,10 @@ void leave_counters(int2 pixel)
 #endif
 }
 
-/// No depth culls here: pixels without work are passed over by the shader.
+/// No depth culls here: pixels without work are passed over by the shader. A list has culled before, and all it has counts.
 void count_shaded(bool has_work)
 {
 #if KD_COUNT_SHADED && KD_PHASE != 1
-    if (has_work) atomicCounterIncrement(shaded_pixels);
+    if (has_work || KD_LISTED == 1) atomicCounterIncrement(shaded_pixels);
 #endif
 }

@@ -22,6 +22,8 @@ TEST(ComputeSettings, SayHowGroupsAreShaped) {
     EXPECT_EQ(parse_compute_settings("8x8,linear,persistent:1056,textures"),
               (ComputeSettings{.x = 8, .y = 8, .morton = false, .persistent = 1056, .storage = false}));
     EXPECT_EQ(parse_compute_settings("8x4,storage").storage, true);
+    EXPECT_EQ(parse_compute_settings("8x4,lists").lists, true);
+    EXPECT_EQ(parse_compute_settings("8x4,no-lists").lists, false);
 }
 
 TEST(ComputeSettings, RefuseWhatIsNone) {
@@ -43,10 +45,11 @@ TEST_P(ComputeGl, NoSettingChangesAFrame) {
     const KdTree tree = build_tree(scene.triangles, {});
     const PinholeCamera camera = pinhole(scene.camera, width, height);
     GlTraceConfig config;
-    config.trace.reflection_depth = 2;
+    config.trace.reflection_depth = 4;  // a third bounce finds what the first has left
     Frame expected(width, height);
     CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
-    for (const char* said : {"8x8", "16x8,storage", "32x2,linear,textures", "8x1,storage", "64x16"}) {
+    for (const char* said :
+         {"8x8", "16x8,storage,no-lists", "32x2,linear,textures", "8x1,storage,lists", "64x16,lists", "8x8,no-lists"}) {
         const test::Variable variable("KDSCOPE_COMPUTE", said);
         GlTracer tracer(*context, GlMode::compute);
         tracer.upload(scene, tree);
@@ -60,23 +63,34 @@ TEST_P(ComputeGl, NoSettingChangesAFrame) {
     }
 }
 
-TEST_P(ComputeGl, CountsThePixelsThatHadWork) {
-    constexpr int width = 48, height = 32;
+TEST_P(ComputeGl, ShadesThePixelsThatEarlyZLeaves) {
+    constexpr int width = 50, height = 35;  // no multiple of a group
     const FlatScene scene = test::mirror_scene(80, 5);
     const KdTree tree = build_tree(scene.triangles, {});
     GlTraceConfig config;
     config.count_shaded = true;
-    config.trace.reflection_depth = 2;
-    std::array<GlFrameReport, 2> reports;
-    for (const GlMode mode : {GlMode::fragment, GlMode::compute}) {
+    config.trace.reflection_depth = 4;
+    const auto shaded = [&](GlMode mode, const char* said) {
+        const test::Variable variable("KDSCOPE_COMPUTE", said);
         GlTracer tracer(*context, mode);
         tracer.upload(scene, tree);
-        reports[std::size_t(mode)] =
-            tracer.draw(config, pinhole(scene.camera, width, height), width, height, whole(width, height));
-    }
-    EXPECT_EQ(reports[1].shaded_pixels, reports[0].shaded_pixels);
-    EXPECT_GT(reports[0].shaded_pixels[2], 0);
-    EXPECT_LT(reports[0].shaded_pixels[2], width * height);
+        // In two tiles: the second begins inside a group, and finds the list that the first has left.
+        const PinholeCamera camera = pinhole(scene.camera, width, height);
+        std::array<std::int64_t, pass_count> sum{};
+        for (const Tile tile : {Tile{0, 0, width, 13}, Tile{0, 13, width, height}}) {
+            const GlFrameReport report = tracer.draw(config, camera, width, height, tile);
+            for (std::size_t pass = 0; pass < pass_count; ++pass) sum[pass] += report.shaded_pixels[pass];
+        }
+        return sum;
+    };
+    const auto culled = shaded(GlMode::fragment, "8x8");
+    // Where pixels are listed all that run are counted, else those that have work.
+    EXPECT_EQ(shaded(GlMode::compute, "8x8,lists"), culled);
+    EXPECT_EQ(shaded(GlMode::compute, "32x2,lists"), culled);
+    EXPECT_EQ(shaded(GlMode::compute, "8x8,no-lists"), culled);
+    EXPECT_GT(culled[2], 0);
+    EXPECT_LT(culled[2], 4 * culled[1]);  // of four bounces
+    EXPECT_LT(culled[1], width * height);
 }
 
 TEST_P(ComputeGl, CountsMultiprocessorsWhereTheDriverTells) {

@@ -1,0 +1,28 @@
+// Which pixels a compute pass works at: a list on the GPU and the dispatch over it (shaders/compute/pixel_list.glsl).
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/gl/object.h"
+
+namespace kd {
+
+class PixelList {
+  public:
+    /// Room for so many pixels; keeps what fits. False where the driver's storage buffers are too small.
+    bool reserve(const GlApi& gl, std::int64_t pixels);
+
+    /// Binds the list, emptied.
+    void begin(const GlApi& gl) const;
+
+    /// Runs the program in use once per listed pixel.
+    void dispatch(const GlApi& gl) const;
+
+    [[nodiscard]] std::int64_t bytes() const { return bytes_; }
+
+  private:
+    GlBuffer buffer_;
+    std::int64_t bytes_ = 0;
+};
+
+}  // namespace kd
