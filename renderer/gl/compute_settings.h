@@ -16,8 +16,7 @@ struct ComputeSettings {
     // So many groups fetch pixels until none is left (Aila and Laine 2009); 0: as many groups as there are blocks. Not
     // for drivers that limit the rounds of all loops of an invocation together.
     int persistent = 0;
-    // Nodes, leaf lists and triangles from storage buffers or from textures; empty: from storage buffers on hardware,
-    // from textures on llvmpipe, which reads those a third faster.
+    // Nodes, leaf lists and triangles from storage buffers; empty: from textures.
     std::optional<bool> storage = {};
 
     // Reflections over lists of the pixels that reflect, or over all pixels; empty: over lists on

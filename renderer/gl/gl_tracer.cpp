@@ -40,7 +40,7 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
       // GLSL lets fma() round twice. NVIDIA's machines have it as one instruction; verify would show it elsewhere.
       fused(context.renderer().find("NVIDIA") != std::string::npos), limits(limits_of(gl)), programs(gl),
       timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
-    if (!compute.storage) compute.storage = !software;
+    if (!compute.storage) compute.storage = false;  // slower on llvmpipe and on an H100: docs/performance.md
     if (!compute.lists) compute.lists = software;
     if (mode == GlMode::wavefront || (mode == GlMode::compute && *compute.storage)) {
         GLint64 bytes = 0;

@@ -103,6 +103,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool walks = step_walks(step, s.needs);
     const bool looks_up_materials =
         step != Step::rays && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
+    const bool calculates = step != Step::mark && step != Step::list_reflections;
     ProgramKey key;
     name_files(key, step, s.mode);
     // What a step does not read stays at one value, so that it shares programs across settings.
@@ -128,14 +129,9 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_SHORT_STACK",
          walks && info(s.trace.traversal).has(walk_short_stack) ? std::to_string(s.trace.short_stack) : "1"},
         {"KD_LATER_BOUNCE", flag(s.later_bounce)},
-<<<<<<< HEAD
-        {"KD_COUNT_SHADED", flag(s.count_shaded && step != Step::mark && step != Step::rays && !is_kernel(step))},
-        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark)},
-        {"KD_FUSED", flag(s.fused && step != Step::mark)},
-=======
         {"KD_COUNT_SHADED", flag(s.count_shaded && is_pass(step))},
-        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && step != Step::mark && step != Step::list_reflections)},
->>>>>>> c392b67593f473407b28a7c009706e82a0e48508
+        {"KD_CORRECTED_ROUNDING", flag(s.corrected_rounding && calculates)},
+        {"KD_FUSED", flag(s.fused && calculates)},
         {"KD_LOOP_LIMIT", flag(s.limited_loops && walks)},
     };
     key.defines.merge(defines_of_mode(step, s, walks));

@@ -18,7 +18,8 @@ namespace {
 class EmbreeScene {
   public:
     EmbreeScene(const FlatScene& scene, RTCSceneFlags flags)
-        : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+        // No "threads=1", which would hold TBB to one thread in all of the program; rays are answered by the caller's.
+        : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, flags);
         rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
         RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
