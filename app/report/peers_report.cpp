@@ -82,7 +82,7 @@ void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
         const bool own = !row.is_peer();
         std::vector<std::string> cells{own && row.packet > 1 ? fmt::format("{} {}", row.tracer, row.packet)
                                                              : row.tracer,
-                                       row.tree,
+                                       own ? row.tree == row.tracer ? "suited" : row.tree : "",
                                        fmt::format("{:.2f}", time.median_ms),
                                        fmt::format("{:.2f}", time.p25_ms),
                                        fmt::format("{:.2f}", time.p75_ms),

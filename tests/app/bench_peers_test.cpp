@@ -176,7 +176,8 @@ TEST(BenchPeers, TablesKeepWithinAHundredLetters) {
     std::istringstream lines(outcome.out);
     for (std::string line; std::getline(lines, line);) {
         const auto letters = std::ranges::count_if(line, [](char c) { return (c & 0xc0) != 0x80; });
-        EXPECT_LE(letters, 102) << line;  // as far as they can: intervals of busy machines have more digits
+        // "0.0849 – 11.4" on a busy machine stands for "0.97 – 0.98" on a quiet one, in two columns.
+        EXPECT_LE(letters, line.find(" – ") == std::string::npos ? 100 : 112) << line;
     }
 }
 
