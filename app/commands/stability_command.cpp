@@ -46,7 +46,12 @@ StabilityConfig config_for(const StabilityOptions& options) {
     if (options.builder) config.builder = *options.builder;
     config.seed = options.session.seed;
     config.packet_size = options.session.trace.packet_size;
-    static_cast<MachineChoice&>(config) = wanted_machines(options, wanted_tracers(options));
+    std::vector<TracerKind> tracers = wanted_tracers(options);
+    // The whole suite by these as well takes several minutes more on a software renderer.
+    if (!options.tracer && !config.long_run && config.cases.empty())
+        std::erase_if(tracers,
+                      [](TracerKind t) { return t == TracerKind::gl_compute || t == TracerKind::gl_wavefront; });
+    static_cast<MachineChoice&>(config) = wanted_machines(options, tracers);
     return config;
 }
 
