@@ -14,12 +14,16 @@ enum class CpuMode {
     packet,  // TraceConfig::packet_size rays walk together with a stack while they agree, singly as in wide else
 };
 
+/// Whether rays are set up side by side: walks by the stack from the root, without a budget of steps.
+[[nodiscard]] inline bool walks_in_batches(const TraceConfig& config) {
+    return config.traversal == Traversal::stack && config.step_budget == 0 && !enters_by_tile(config);
+}
+
 /// What `mode` comes to under `config`: published rules and the naive loop know one triangle at a time, and packets
-/// walk by the stack.
-[[nodiscard]] constexpr CpuMode mode_in_force(CpuMode mode, const TraceConfig& config) {
+/// walk in batches alone.
+[[nodiscard]] inline CpuMode mode_in_force(CpuMode mode, const TraceConfig& config) {
     if (config.rules != Rules::robust || config.traversal == Traversal::naive) return CpuMode::scalar;
-    const bool may_pack = config.traversal == Traversal::stack && config.step_budget == 0;
-    return mode == CpuMode::packet && !may_pack ? CpuMode::wide : mode;
+    return mode == CpuMode::packet && !walks_in_batches(config) ? CpuMode::wide : mode;
 }
 
 /// "cpu", "cpu-wide", "cpu-packet".

@@ -1,8 +1,11 @@
 #include "renderer/cpu/cpu_tracer.h"
 
 #include <atomic>
-#include <hwy/highway.h>
 #include <string_view>
+
+#include "renderer/cpu/targets.h"
+// After targets.h.
+#include <hwy/highway.h>
 
 #include "renderer/cpu/scene_view.h"
 #include "renderer/cpu/threads.h"
@@ -24,8 +27,8 @@ void run_job(const RayJob& job) { job.view.in_force == CpuMode::scalar ? run_ray
 }  // namespace
 
 std::string cpu_target_name() {
-    // The best of the instruction sets that tile_kernel.cpp was compiled for and this processor has.
-    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_SSSE3 | HWY_AVX3_DL);
+    // The best of the instruction sets that the hot code was compiled for and this processor has.
+    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_DISABLED_TARGETS);
     std::string name = hwy::TargetName(usable & -usable);
     constexpr std::string_view ours = "AVX3";  // Highway's word for AVX-512
     if (name.starts_with(ours)) name.replace(0, ours.size(), "AVX-512");

@@ -26,6 +26,13 @@ struct LaneMask {
         }
         return bits;
     }
+    /// The first `count` lanes.
+    KD_FN static LaneMask first(int count) {
+        LaneMask mask;
+        for (int i = 0; i < parts; ++i)
+            mask.part[i] = hn::FirstN(tag, std::size_t(std::clamp(count - i * width, 0, width)));
+        return mask;
+    }
     /// Of N whole numbers: those that are `other`, and those that are less.
     KD_FN static LaneMask equal(const std::int32_t* numbers, std::int32_t other) {
         LaneMask mask;
@@ -107,7 +114,6 @@ struct Lanes {
     KD_COMPARE(operator<, Lt)
     KD_COMPARE(operator<=, Le)
     KD_COMPARE(operator==, Eq)
-    KD_COMPARE(operator!=, Ne)
 #undef KD_COMPARE
     KD_FN friend Lanes magnitude(Lanes a) {
         for (int i = 0; i < parts; ++i) a.part[i] = hn::Abs(a.part[i]);

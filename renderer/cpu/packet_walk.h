@@ -116,10 +116,8 @@ class PacketWalk {
         return n;
     }
 
-    /// The triangle's corners as the lanes see them: permuted, from their origins, sheared but for z.
-    struct Corner {
-        L x, y, z;
-    };
+    using Test = LaneTest<N>;
+    using Corner = typename Test::Corner;
 
     KD_FN void test(int node, const KdNode& leaf, const Mask& lanes) {
         observe(lanes, [&](int lane) { observers_[lane].on_leaf(node); });
@@ -145,31 +143,21 @@ class PacketWalk {
 
     /// As intersect_triangle(), of the lanes of the mask.
     KD_FN void intersect(const Corner& a, const Corner& b, const Corner& c, std::int32_t triangle, const Mask& lanes) {
-        const L product_a = c.x * b.y, product_b = a.x * c.y, product_c = b.x * a.y;
-        const L edge_a = product_a - c.y * b.x, edge_b = product_b - a.y * c.x, edge_c = product_c - b.y * a.x;
-        const L smallest = least(edge_a, least(edge_b, edge_c)), largest = greatest(edge_a, greatest(edge_b, edge_c));
-        const L inside = greatest(smallest, -largest);
-        const Mask may_hit = (L::all(0.0f) <= inside) & lanes;
-        if (may_hit.none()) return;
-
-        const L determinant = edge_a + edge_b + edge_c;
-        const L product = greatest(magnitude(product_a), greatest(magnitude(product_b), magnitude(product_c)));
-        const L kept = magnitude(determinant) - L::all(Kernel::KD_THIN) * product;
-        const Mask rare = may_hit & (least(inside, kept) <= L::all(0.0f));
-        const L shear_z = L::load(batch_.shear[2]);
-        const L scaled_t = edge_a * (shear_z * a.z) + edge_b * (shear_z * b.z) + edge_c * (shear_z * c.z);
-        const L t = scaled_t / determinant, nearest = L::load(t_);
-        if (KD_RARE(!rare.none()))
-            for (unsigned left = rare.bits(); left != 0; left &= left - 1)
+        Test test;
+        if (!test.run(a, b, c, L::load(batch_.shear[2]), Kernel::KD_THIN, lanes)) return;
+        const L& t = test.t;
+        const L nearest = L::load(t_);
+        if (KD_RARE(!test.rare.none()))
+            for (unsigned left = test.rare.bits(); left != 0; left &= left - 1)
                 intersect_singly(std::countr_zero(left), triangle);
-        Mask nearer = (may_hit - rare) & (L::load(batch_.t_min) < t) & (t <= nearest);
+        Mask nearer = (test.may_hit - test.rare) & (L::load(batch_.t_min) < t) & (t <= nearest);
         if (nearer.none()) return;
         nearer = nearer - Mask::equal(batch_.source, triangle);
         nearer = nearer - ((t == nearest) & Mask::less(triangle_, triangle));  // of equal t the lowest number wins
         t.store(nearer, t_);
-        edge_b.store(nearer, u_);
-        edge_c.store(nearer, v_);
-        determinant.store(nearer, determinant_);
+        test.edge_b.store(nearer, u_);
+        test.edge_c.store(nearer, v_);
+        test.determinant.store(nearer, determinant_);
         nearer.put(triangle, triangle_);
         (any_hit_ ? L::all(-KD_T_LIMIT) : t * L::all(1.0f + KD_T_PADDING)).store(nearer, horizon_);
     }

@@ -2,14 +2,10 @@
 
 #include <array>
 
+#include "renderer/cpu/targets.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
 
-#ifdef KD_SANITIZED
-#define HWY_COMPILE_ONLY_STATIC  // instrumented builds are slow to compile; one instruction set is enough for them
-#endif
-// SSE4, AVX2 and AVX-512 are worth having; the others repeat them.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/cpu/tile_kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -6,13 +6,10 @@
 #include <bit>
 #include <cstddef>
 
+#include "renderer/cpu/targets.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
 
-#ifdef KD_SANITIZED
-#define HWY_COMPILE_ONLY_STATIC
-#endif
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/cpu/wide_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -27,8 +24,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Each uses the ones before it.
 // clang-format off
 #include "renderer/cpu/kernel.h"
-#include "renderer/cpu/block_test.h"
 #include "renderer/cpu/lanes.h"
+#include "renderer/cpu/lane_test.h"
+#include "renderer/cpu/block_test.h"
 #include "renderer/cpu/ray_batch.h"
 #include "renderer/cpu/packet_walk.h"
 #include "renderer/cpu/batch_trace.h"
@@ -68,14 +66,9 @@ void run_batches(const TileJob& job) {
             pixels.trace({x, y, std::min(x + width, job.tile.x1), std::min(y + height, job.tile.y1)});
 }
 
-/// Batches begin at the root, and walk by the stack.
-bool can_batch(const TraceConfig& config) {
-    return config.traversal == Traversal::stack && config.step_budget == 0 && !enters_by_tile(config);
-}
-
 template <class Kernel, class Observer, class Job>
 void run_by_size(const Job& job) {
-    if (!can_batch(job.config)) return run_on<Kernel, Observer>(job);
+    if (!walks_in_batches(job.config)) return run_on<Kernel, Observer>(job);
     switch (job.view.in_force == CpuMode::packet ? job.config.packet_size : block_size) {
         case 4: return run_batches<Kernel, Observer, 4>(job);
         case 8: return run_batches<Kernel, Observer, 8>(job);

@@ -16,8 +16,8 @@ struct ComputeSettings {
     // So many groups fetch pixels until none is left (Aila and Laine 2009); 0: as many groups as there are blocks. Not
     // for drivers that limit the rounds of all loops of an invocation together.
     int persistent = 0;
-    // Nodes, leaf lists and triangles from storage buffers; empty: from textures.
-    std::optional<bool> storage = {};
+    // Nodes, leaf lists and triangles from storage buffers; else from textures, which llvmpipe and an H100 read faster.
+    bool storage = false;
 
     // Reflections over lists of the pixels that reflect, or over all pixels; empty: over lists on
     // llvmpipe, which runs a pass to its end where no lane has work.

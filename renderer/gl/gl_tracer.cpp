@@ -40,13 +40,12 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
       // GLSL lets fma() round twice. NVIDIA's machines have it as one instruction; verify would show it elsewhere.
       fused(context.renderer().find("NVIDIA") != std::string::npos), limits(limits_of(gl)), programs(gl),
       timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
-    if (!compute.storage) compute.storage = false;  // slower on llvmpipe and on an H100: docs/performance.md
     if (!compute.lists) compute.lists = software;
     if (mode != GlMode::fragment) {
         GLint64 bytes = 0;
         gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-        queue_bytes = bytes;
-        if (*compute.storage) limits.storage_bytes = bytes;
+        storage_bytes = bytes;
+        if (compute.storage) limits.storage_bytes = bytes;
     }
     if (software || mode == GlMode::wavefront)
         compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
@@ -96,9 +95,10 @@ void GlTracer::Impl::make_ready(const TraceConfig& config, int width, int height
     scene().prepare(config, needs);
     if (mode == GlMode::wavefront) {
         const auto lights = std::max<std::int64_t>(1, std::ssize(scene().scene().lights));
-        queues.reserve(gl, lights * width * height, words_per_ray(config, needs), queue_bytes);
+        queues.reserve(gl, lights * width * height, words_per_ray(config, needs), storage_bytes);
     }
-    lists_pixels = mode == GlMode::compute && *compute.lists && pixels.reserve(gl, std::int64_t(width) * height);
+    lists_pixels =
+        mode == GlMode::compute && *compute.lists && pixels.reserve(gl, std::int64_t(width) * height, storage_bytes);
     const TargetKey key = target_key(needs, width, height);
     if (targets.key() == key) return;
     targets = FrameTargets();  // lets go of the old ones first

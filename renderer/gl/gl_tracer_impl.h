@@ -30,7 +30,7 @@ struct GlTracer::Impl {
     bool fused;  // fma() rounds once
     bool corrected_rounding = !software;
     GlLimits limits;
-    std::int64_t queue_bytes = 0;  // most of a storage buffer of rays
+    std::int64_t storage_bytes = 0;  // of a storage buffer at most; 0 where nothing is kept in one
     ProgramCache programs;
     PassTimer timer;
     GlVertexArray no_vertices;  // a core context draws with one bound, even an empty one

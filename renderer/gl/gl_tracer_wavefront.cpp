@@ -52,7 +52,7 @@ void GlTracer::Impl::run_wavefront(Step step, const ProgramSettings& settings, c
 
     const int per_pixel = rays_per_pixel(step, scene().scene());
     const std::int64_t rays = std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0) * per_pixel;
-    const int slots = queues.reserve(gl, rays, words_per_ray(settings.trace, settings.needs), queue_bytes);
+    const int slots = queues.reserve(gl, rays, words_per_ray(settings.trace, settings.needs), storage_bytes);
     const Tile part = part_of(tile, std::max(1, slots / per_pixel));
     for (int y = tile.y0; y < std::max(tile.y1, tile.y0 + 1); y += std::max(1, part.y1))
         for (int x = tile.x0; x < std::max(tile.x1, tile.x0 + 1); x += std::max(1, part.x1)) {

@@ -61,7 +61,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
                           {"KD_MORTON", flag(s.compute.morton)},
                           {"KD_LISTED", flag(s.listed)},
                           {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
-                          {"KD_STORAGE", flag(s.compute.storage.value_or(true))}};
+                          {"KD_STORAGE", flag(s.compute.storage)}};
     if (s.mode == GlMode::wavefront) {
         defines["KD_PHASE"] = std::to_string(walks ? s.phase : 0);
         if (is_kernel(step)) defines["KD_STEPS"] = steps_of(s.trace.traversal);

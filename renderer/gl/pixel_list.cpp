@@ -16,11 +16,9 @@ constexpr std::array<GLuint, 4> empty_list{1, 1, 1, 0};
 
 }  // namespace
 
-bool PixelList::reserve(const GlApi& gl, std::int64_t pixels) {
+bool PixelList::reserve(const GlApi& gl, std::int64_t pixels, std::int64_t storage_bytes) {
     const auto bytes = std::int64_t(sizeof empty_list) + pixels * std::int64_t(sizeof(GLuint));
-    GLint64 most = 0;
-    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    if (bytes > most) return false;
+    if (bytes > storage_bytes) return false;
     if (bytes <= bytes_) return true;
     *this = {};
     buffer_ = GlBuffer(gl);

@@ -9,8 +9,8 @@ namespace kd {
 
 class PixelList {
   public:
-    /// Room for so many pixels; keeps what fits. False where the driver's storage buffers are too small.
-    bool reserve(const GlApi& gl, std::int64_t pixels);
+    /// Room for so many pixels; keeps what fits. False where a buffer of `storage_bytes` is too small.
+    bool reserve(const GlApi& gl, std::int64_t pixels, std::int64_t storage_bytes);
 
     /// Binds the list, emptied.
     void begin(const GlApi& gl) const;

@@ -60,14 +60,16 @@ TEST(IdleOptions, UpMustBeADirection) {
     expect_refused(folder, {"--camera", "0,0,1 0,0,0 0,-0,0 45"}, {"--camera", "no direction"});
 }
 
-TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
+/// What a small picture says beside being made.
+std::string notes(const Words& options) {
     const TestFolder folder;
-    const auto notes = [&](const Words& options) {
-        const auto outcome =
-            run_kdscope(joined({"render", "cornell", "-o", folder.file("a.png"), "--size", "8x8"}, options));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return outcome.err;
-    };
+    const auto outcome =
+        run_kdscope(joined({"render", "cornell", "-o", folder.file("a.png"), "--size", "8x8"}, options));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+}
+
+TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
     EXPECT_EQ(notes({}), "");
     EXPECT_EQ(notes({"--early-z", "as-published"}),
               "kdscope: note: --early-z has no effect: only the CPU traces; --tracer gl-fragment would use it\n");
@@ -85,13 +87,6 @@ TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
 }
 
 TEST(IdleOptions, WhatOnlySomeTracersTakeIsNoted) {
-    const TestFolder folder;
-    const auto notes = [&](const Words& options) {
-        const auto outcome =
-            run_kdscope(joined({"render", "cornell", "-o", folder.file("a.png"), "--size", "8x8"}, options));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return outcome.err;
-    };
     EXPECT_EQ(notes({"--packet", "8"}),
               "kdscope: note: --packet has no effect: cpu walks no packets; --tracer cpu-packet does\n");
     EXPECT_EQ(notes({"--packet", "8", "--tracer", "cpu-packet"}), "");
