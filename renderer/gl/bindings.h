@@ -27,7 +27,8 @@ enum class Unit : unsigned {
 };
 
 // Storage buffers behind the tables; the rays are of shaders/wavefront.
-inline constexpr unsigned pixel_list = 5;  // shaders/compute/pixel_list.glsl
+inline constexpr unsigned pixel_list = 5;       // shaders/compute/pixel_list.glsl
+inline constexpr unsigned next_pixel_list = 6;  // shaders/compute/list_pixels.glsl
 inline constexpr unsigned ray_states = 5;
 inline constexpr unsigned queue_counts = 6;
 inline constexpr unsigned ray_queues = 7;

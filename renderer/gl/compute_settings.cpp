@@ -43,6 +43,8 @@ void take_word(std::string_view text, std::string_view word, ComputeSettings& gr
         group.storage = word == "storage";
     else if (word == "lists" || word == "no-lists")
         group.lists = word == "lists";
+    else if (word == "dealt" || word == "in-order")
+        group.dealt = word == "dealt";
     else if (word.starts_with(persistent))
         group.persistent = number(text, word.substr(persistent.size()), most_groups);
     else

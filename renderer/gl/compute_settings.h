@@ -19,16 +19,19 @@ struct ComputeSettings {
     // Nodes, leaf lists and triangles from storage buffers; else from textures, which llvmpipe and an H100 read faster.
     bool storage = false;
 
-    // Reflections over lists of the pixels that reflect, or over all pixels; empty: over lists on
+    // Rows of groups dealt in turn to the threads of a software renderer, or in order; empty: dealt on llvmpipe, which
+    // gives each thread one run of groups.
+    std::optional<bool> dealt = {};
+
+    // Shading and reflections over lists of the pixels that have work, or over all pixels; empty: over lists on
     // llvmpipe, which runs a pass to its end where no lane has work.
     std::optional<bool> lists = {};
 
     bool operator==(const ComputeSettings&) const = default;
 };
 
-/// "16x8", "16x16,linear", "8x4,persistent:1056,storage", "8x8,textures,lists",
-/// "8x8,no-lists"; "16x8" is in Morton order where that fills
-/// it. InputError with one line where it is none of these, or where a group has more than 1024 pixels (what OpenGL 4.3
+/// "16x8", "16x16,linear", "8x4,persistent:1056,storage", "8x8,textures,lists", "8x8,no-lists,in-order"; "16x8" is in
+/// Morton order where that fills it. InputError with one line where it is none of these, or where a group has more than 1024 pixels (what OpenGL 4.3
 /// promises).
 [[nodiscard]] ComputeSettings parse_compute_settings(std::string_view text);
 

@@ -41,6 +41,7 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
       fused(context.renderer().find("NVIDIA") != std::string::npos), limits(limits_of(gl)), programs(gl),
       timer(gl, software), no_vertices(gl), frame_block(gl), counts(gl) {
     if (!compute.lists) compute.lists = software;
+    if (!compute.dealt) compute.dealt = software;
     if (mode != GlMode::fragment) {
         GLint64 bytes = 0;
         gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);

@@ -6,10 +6,16 @@ namespace kd {
 
 namespace {
 
+/// Rows of groups are dealt in whole turns (shaders/compute/dealt_groups.glsl); those past the tile have no pixel.
+int rows_dealt(const ComputeSettings& compute, int rows) {
+    constexpr int dealt_to = 8;
+    return compute.dealt.value_or(false) ? (rows + dealt_to - 1) / dealt_to * dealt_to : rows;
+}
+
 void dispatch_blocks(const GlApi& gl, const ComputeSettings& compute, int width, int height) {
     // Over no pixel too: drivers finish compiling when a program first runs.
     const int columns = std::max(1, (width + compute.x - 1) / compute.x);
-    const int rows = std::max(1, (height + compute.y - 1) / compute.y);
+    const int rows = rows_dealt(compute, std::max(1, (height + compute.y - 1) / compute.y));
     if (compute.persistent > 0)
         gl.DispatchCompute(GLuint(std::min(compute.persistent, columns * rows)), 1, 1);
     else
@@ -32,12 +38,15 @@ class ComputedPasses : public FramePasses {
     void enter_tile() override { clear_tile(); }
 
     void prepare(Pass pass, int bounce) override {
-        settings_.listed = t_.lists_pixels && (pass == Pass::rt_refl || pass == Pass::shade_refl);
+        settings_.listed = t_.lists_pixels && pass != Pass::rt_prim;
+        if (makes_list(pass)) {
+            (void)list_program(pass);
+            if (may_shade_all(pass)) (void)t_.program(step_of(pass), over_all(settings_));
+        }
         if (t_.mode == GlMode::wavefront)
             (void)t_.wavefront_programs(step_of(pass), settings_);
         else
             (void)t_.program(step_of(pass), settings_);
-        if (makes_list(pass)) (void)t_.program(Step::list_reflections, settings_of_list());
         const LayerTargets& layer = t_.targets.layer(pass);
         ImageSet images{layer.counters_a.id(), layer.counters_b.id(), layer.hit.id(), 0, 0};
         if (pass == Pass::rt_refl) {
@@ -52,29 +61,56 @@ class ComputedPasses : public FramePasses {
 
     void run(Pass pass) override {
         if (t_.mode == GlMode::wavefront) return t_.run_wavefront(step_of(pass), settings_, tile_);
-        if (makes_list(pass)) list_pixels();
+        if (makes_list(pass)) {
+            list_pixels(pass);
+            if (may_shade_all(pass) && t_.pixels.filled(gl_, settings_.compute.y) > full_enough)
+                settings_ = over_all(settings_);
+        }
         gl_.UseProgram(t_.program(step_of(pass), settings_));
-        if (!settings_.listed) return t_.dispatch(tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
-        t_.pixels.dispatch(gl_);
+        run_over(settings_.compute, settings_.listed);
+    }
+
+    void run_over(const ComputeSettings& compute, bool listed) const {
+        if (listed)
+            t_.pixels.dispatch(gl_);
+        else
+            dispatch_blocks(gl_, compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
         wait_for_stores(gl_);
     }
 
     /// ShadeRefl works at the pixels that RTRefl has worked at.
-    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass == Pass::rt_refl; }
+    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass != Pass::shade_refl; }
 
-    /// Lists are made over the whole tile, each pixel by its own invocation.
-    [[nodiscard]] ProgramSettings settings_of_list() const {
-        ProgramSettings settings = settings_;
+    /// Where few lanes would idle a pass over all pixels is faster than one over a list, for each thread finds in its
+    /// cache what it has stored the pass before (docs/performance.md). Reflections are too few for that.
+    [[nodiscard]] static bool may_shade_all(Pass pass) { return pass == Pass::shade_prim; }
+    static constexpr double full_enough = 0.9;
+
+    [[nodiscard]] static ProgramSettings over_all(ProgramSettings settings) {
         settings.listed = false;
+        return settings;
+    }
+
+    /// Only what was hit can reflect, and only what has reflected can reflect again.
+    [[nodiscard]] static bool lists_out_of_list(Pass pass) { return pass == Pass::rt_refl; }
+
+    /// Of the program that lists pixels: each by its own invocation.
+    [[nodiscard]] ProgramSettings settings_of_list(Pass pass) const {
+        ProgramSettings settings = settings_;
+        settings.listed = lists_out_of_list(pass);
         settings.compute.persistent = 0;
         return settings;
     }
 
-    void list_pixels() {
-        t_.pixels.begin(gl_);
-        gl_.UseProgram(t_.program(Step::list_reflections, settings_of_list()));
-        dispatch_blocks(gl_, settings_of_list().compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
-        wait_for_stores(gl_);
+    [[nodiscard]] GLuint list_program(Pass pass) const {
+        return t_.program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, settings_of_list(pass));
+    }
+
+    void list_pixels(Pass pass) {
+        t_.pixels.begin_next(gl_);
+        gl_.UseProgram(list_program(pass));
+        run_over(settings_of_list(pass).compute, lists_out_of_list(pass));
+        t_.pixels.take_next(gl_);
     }
 };
 

@@ -8,8 +8,9 @@ namespace kd {
 
 namespace {
 
-constexpr std::array<const char*, 9> entry_points{"rt_prim", "shade_prim", "rt_refl",   "shade_refl",      "mark",
-                                                  "rays",    "traverse",   "intersect", "list_reflections"};
+constexpr std::array<const char*, 10> entry_points{
+    "rt_prim", "shade_prim", "rt_refl",   "shade_refl", "mark",
+    "rays",    "traverse",   "intersect", "list_hits",  "list_reflections"};
 
 std::string_view walk_function(const TraceConfig& trace) {
     const TraversalInfo& walk = info(trace.traversal);
@@ -17,6 +18,7 @@ std::string_view walk_function(const TraceConfig& trace) {
 }
 
 bool is_kernel(Step step) { return step == Step::traverse || step == Step::intersect; }
+bool is_list(Step step) { return step == Step::list_hits || step == Step::list_reflections; }
 bool is_pass(Step step) { return step <= Step::shade_refl; }
 
 void name_files(ProgramKey& key, Step step, GlMode mode) {
@@ -60,6 +62,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
                           {"KD_GROUP_Y", std::to_string(s.compute.y)},
                           {"KD_MORTON", flag(s.compute.morton)},
                           {"KD_LISTED", flag(s.listed)},
+                          {"KD_DEALT", flag(s.compute.dealt.value_or(false))},
                           {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
                           {"KD_STORAGE", flag(s.compute.storage)}};
     if (s.mode == GlMode::wavefront) {
@@ -73,7 +76,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
 
 bool step_walks(Step step, const SceneNeeds& needs) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    return step != Step::mark && step != Step::list_reflections && (!shades || needs.shadows);
+    return step != Step::mark && !is_list(step) && (!shades || needs.shadows);
 }
 
 ProgramKey plan_key(int queue, const ProgramSettings& s) {
@@ -102,8 +105,8 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool reflects = step == Step::rt_refl;
     const bool walks = step_walks(step, s.needs);
     const bool looks_up_materials =
-        step != Step::rays && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
-    const bool calculates = step != Step::mark && step != Step::list_reflections;
+        step != Step::rays && step != Step::list_hits && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
+    const bool calculates = step != Step::mark && !is_list(step);
     ProgramKey key;
     name_files(key, step, s.mode);
     // What a step does not read stays at one value, so that it shares programs across settings.

@@ -10,8 +10,19 @@ namespace kd {
 
 /// The steps that draw: the paper's passes, `mark` between bounces (of fragment shaders alone), and `rays`
 /// outside of frames. `traverse` and `intersect` are the kernels of GlMode::wavefront, which walk the rays of all
-/// others; `list_reflections` tells GlMode::compute which pixels reflect.
-enum class Step { rt_prim, shade_prim, rt_refl, shade_refl, mark, rays, traverse, intersect, list_reflections };
+/// others; `list_hits` and `list_reflections` tell GlMode::compute which pixels have work.
+enum class Step {
+    rt_prim,
+    shade_prim,
+    rt_refl,
+    shade_refl,
+    mark,
+    rays,
+    traverse,
+    intersect,
+    list_hits,
+    list_reflections
+};
 
 /// What decides a program beside its step.
 struct ProgramSettings {

@@ -1,34 +1,19 @@
-// Which pixels an invocation works at: one of the tile, with KD_LISTED one of a list, or with KD_PERSISTENT (Aila and Laine
-// 2009) as many as its group fetches until the tile has no more. Defines main(); run_pass() stands above.
+// Runs a pass, run_pass(), which stands above: each invocation at its own pixel, or with KD_PERSISTENT (Aila and Laine 2009)
+// at as many of the tile's as its group fetches until there are no more. Defines main().
+
+#include "own_pixel.glsl"
 
 layout(local_size_x = KD_GROUP_X, local_size_y = KD_GROUP_Y) in;
 
-#if KD_LISTED
-#include "pixel_list.glsl"
-
-void main()
+void run_at(int2 pixel)
 {
-    uint group = gl_WorkGroupID.y * groups_in_a_row + gl_WorkGroupID.x;
-    uint place = group * uint(KD_GROUP_X * KD_GROUP_Y) + gl_LocalInvocationIndex;
-    if (place >= kd_listed) return;
-    uint pixel = kd_pixels[place];
-    run_pass(int2(pixel & 0xffffu, pixel >> 16));
-}
-
-#else
-#include "place_in_group.glsl"
-
-void run_in_tile(int2 group)
-{
-    int2 pixel = frame.tile.xy + group * int2(KD_GROUP_X, KD_GROUP_Y) + place_in_group();
-    if (pixel.x >= frame.tile.z || pixel.y >= frame.tile.w) return;
 #if KD_PHASE
     next_slot = ((pixel.y - frame.tile.y) * (frame.tile.z - frame.tile.x) + pixel.x - frame.tile.x) * frame.wave.y;
 #endif
     run_pass(pixel);
 }
 
-#if KD_PERSISTENT
+#if KD_PERSISTENT && !KD_LISTED
 layout(binding = 0, offset = 4) uniform atomic_uint groups_taken;
 shared uint taken;
 
@@ -45,13 +30,15 @@ void main()
         uint group = taken;
         if (group >= count) return;
         counters = none;
-        run_in_tile(int2(int(group) % groups.x, int(group) / groups.x));
+        int2 pixel;
+        int2 block = int2(int(group) % groups.x, int(group) / groups.x);
+        if (pixel_of_tile(block, gl_LocalInvocationIndex, pixel)) run_at(pixel);
     }
 }
 #else
 void main()
 {
-    run_in_tile(int2(gl_WorkGroupID.xy));
+    int2 pixel;
+    if (own_pixel(gl_LocalInvocationIndex, pixel)) run_at(pixel);
 }
-#endif
 #endif

@@ -1,4 +1,4 @@
-// Which pixel of its group's block an invocation has.
+// Which pixel of its group's block each of a group's places has.
 
 /// Bits 0, 2, 4, ... pushed together.
 uint even_bits(uint x)
@@ -9,12 +9,11 @@ uint even_bits(uint x)
     return (x | x >> 4) & 0xffu;
 }
 
-/// This invocation's pixel in its group.
-int2 place_in_group()
+int2 pixel_in_group(uint place)
 {
 #if KD_MORTON
-    return int2(even_bits(gl_LocalInvocationIndex), even_bits(gl_LocalInvocationIndex >> 1));
+    return int2(even_bits(place), even_bits(place >> 1));
 #else
-    return int2(gl_LocalInvocationID.xy);
+    return int2(place % uint(KD_GROUP_X), place / uint(KD_GROUP_X));
 #endif
 }

@@ -121,7 +121,8 @@
 #endif
 
 // Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left;
-// 1: only pixels of a list, made by another kernel; 1: what walks read lies in storage buffers, 0: in textures.
+// 1: only pixels of a list, made by another kernel; 1: groups are dealt to a software renderer's threads; 1: what walks read
+// lies in storage buffers, 0: in textures.
 #ifndef KD_GROUP_X
 #define KD_GROUP_X 8
 #endif
@@ -136,6 +137,9 @@
 #endif
 #ifndef KD_LISTED
 #define KD_LISTED 0
+#endif
+#ifndef KD_DEALT
+#define KD_DEALT 0
 #endif
 #ifndef KD_PERSISTENT
 #define KD_PERSISTENT 0
