@@ -1,5 +1,6 @@
 #include "renderer/gl/compute_settings.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstdlib>
@@ -12,11 +13,9 @@ namespace kd {
 namespace {
 
 constexpr int most_pixels = 1024;
-constexpr int most_groups = 65535;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
-    throw InputError(
-        fmt::format("KDSCOPE_COMPUTE '{}': {}; say 16x8, 16x16,linear or 8x4,persistent:1056,storage", text, why));
+    throw InputError(fmt::format("KDSCOPE_COMPUTE '{}': {}; say 16x8, 16x16,linear or 8x4,storage", text, why));
 }
 
 /// All of `digits` as a number from 1 to `most`.
@@ -35,18 +34,15 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
-void take_word(std::string_view text, std::string_view word, ComputeSettings& group) {
-    constexpr std::string_view persistent = "persistent:";
+void take_word(std::string_view text, std::string_view word, ComputeSettings& settings) {
     if (word == "linear")
-        group.morton = false;
+        settings.morton = false;
     else if (word == "storage" || word == "textures")
-        group.storage = word == "storage";
+        settings.storage = word == "storage";
     else if (word == "lists" || word == "no-lists")
-        group.lists = word == "lists";
+        settings.lists = word == "lists";
     else if (word == "dealt" || word == "in-order")
-        group.dealt = word == "dealt";
-    else if (word.starts_with(persistent))
-        group.persistent = number(text, word.substr(persistent.size()), most_groups);
+        settings.dealt = word == "dealt";
     else
         refuse(text, fmt::format("'{}' is unknown", word));
 }
@@ -58,14 +54,14 @@ ComputeSettings parse_compute_settings(std::string_view text) {
     const std::string_view size = next_word(rest);
     const std::size_t cross = size.find('x');
     if (cross == std::string_view::npos) refuse(text, "it begins with no size");
-    ComputeSettings group;
-    group.x = number(text, size.substr(0, cross), most_pixels);
-    group.y = number(text, size.substr(cross + 1), most_pixels);
-    if (group.x * group.y > most_pixels) refuse(text, fmt::format("a group has at most {} pixels", most_pixels));
-    const bool square = group.x == group.y || group.x == 2 * group.y;
-    group.morton = square && std::has_single_bit(unsigned(group.x));
-    while (!rest.empty()) take_word(text, next_word(rest), group);
-    return group;
+    ComputeSettings settings;
+    settings.x = number(text, size.substr(0, cross), most_pixels);
+    settings.y = number(text, size.substr(cross + 1), most_pixels);
+    if (settings.x * settings.y > most_pixels) refuse(text, fmt::format("a group has at most {} pixels", most_pixels));
+    const bool square = settings.x == settings.y || settings.x == 2 * settings.y;
+    settings.morton = square && std::has_single_bit(unsigned(settings.x));
+    while (!rest.empty()) take_word(text, next_word(rest), settings);
+    return settings;
 }
 
 ComputeSettings compute_settings_in_force() {

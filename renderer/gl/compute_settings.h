@@ -13,9 +13,6 @@ struct ComputeSettings {
     // In Morton order, so that lanes that run side by side are a block however wide the group is: 4x2 on llvmpipe, 8x4
     // on GPUs.
     bool morton = true;
-    // So many groups fetch pixels until none is left (Aila and Laine 2009); 0: as many groups as there are blocks. Not
-    // for drivers that limit the rounds of all loops of an invocation together.
-    int persistent = 0;
     // Nodes, leaf lists and triangles from storage buffers; else from textures, which llvmpipe and an H100 read faster.
     bool storage = false;
 
@@ -30,9 +27,9 @@ struct ComputeSettings {
     bool operator==(const ComputeSettings&) const = default;
 };
 
-/// "16x8", "16x16,linear", "8x4,persistent:1056,storage", "8x8,textures,lists", "8x8,no-lists,in-order"; "16x8" is in
-/// Morton order where that fills it. InputError with one line where it is none of these, or where a group has more than 1024 pixels (what OpenGL 4.3
-/// promises).
+/// "16x8", "16x16,linear", "8x4,storage", "8x8,textures,lists", "8x8,no-lists,in-order"; "16x8" is in
+/// Morton order where that fills it. InputError with one line where it is none of these, or where a group has more than
+/// 1024 pixels (what OpenGL 4.3 promises).
 [[nodiscard]] ComputeSettings parse_compute_settings(std::string_view text);
 
 /// What the environment variable KDSCOPE_COMPUTE says, the default where it is not set.

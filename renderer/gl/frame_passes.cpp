@@ -84,7 +84,7 @@ void FramePasses::copy(const GlTexture& from, const GlTexture& to) {
 void FramePasses::pass(Pass pass, int bounce) {
     const GlGroup group(gl_, pass_names[static_cast<std::size_t>(pass)]);
     prepare(pass, bounce);
-    if (config_.count_shaded || t_.compute.persistent > 0) t_.reset_counts();
+    if (config_.count_shaded) t_.reset_counts();
     t_.timer.begin(pass);
     run(pass);
     t_.timer.end();

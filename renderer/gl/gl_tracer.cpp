@@ -48,8 +48,6 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
         storage_bytes = bytes;
         if (compute.storage) limits.storage_bytes = bytes;
     }
-    if (software || mode == GlMode::wavefront)
-        compute.persistent = 0;  // all pixels of an invocation would share one budget of rounds
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");

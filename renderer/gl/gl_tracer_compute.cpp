@@ -16,10 +16,7 @@ void dispatch_blocks(const GlApi& gl, const ComputeSettings& compute, int width,
     // Over no pixel too: drivers finish compiling when a program first runs.
     const int columns = std::max(1, (width + compute.x - 1) / compute.x);
     const int rows = rows_dealt(compute, std::max(1, (height + compute.y - 1) / compute.y));
-    if (compute.persistent > 0)
-        gl.DispatchCompute(GLuint(std::min(compute.persistent, columns * rows)), 1, 1);
-    else
-        gl.DispatchCompute(GLuint(columns), GLuint(rows), 1);
+    gl.DispatchCompute(GLuint(columns), GLuint(rows), 1);
 }
 
 /// What a dispatch has stored can then be read in any way.
@@ -67,14 +64,14 @@ class ComputedPasses : public FramePasses {
                 settings_ = over_all(settings_);
         }
         gl_.UseProgram(t_.program(step_of(pass), settings_));
-        run_over(settings_.compute, settings_.listed);
+        run_over(settings_.listed);
     }
 
-    void run_over(const ComputeSettings& compute, bool listed) const {
+    void run_over(bool listed) const {
         if (listed)
             t_.pixels.dispatch(gl_);
         else
-            dispatch_blocks(gl_, compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
+            dispatch_blocks(gl_, t_.compute, tile_.x1 - tile_.x0, tile_.y1 - tile_.y0);
         wait_for_stores(gl_);
     }
 
@@ -94,22 +91,16 @@ class ComputedPasses : public FramePasses {
     /// Only what was hit can reflect, and only what has reflected can reflect again.
     [[nodiscard]] static bool lists_out_of_list(Pass pass) { return pass == Pass::rt_refl; }
 
-    /// Of the program that lists pixels: each by its own invocation.
-    [[nodiscard]] ProgramSettings settings_of_list(Pass pass) const {
+    [[nodiscard]] GLuint list_program(Pass pass) const {
         ProgramSettings settings = settings_;
         settings.listed = lists_out_of_list(pass);
-        settings.compute.persistent = 0;
-        return settings;
-    }
-
-    [[nodiscard]] GLuint list_program(Pass pass) const {
-        return t_.program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, settings_of_list(pass));
+        return t_.program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, settings);
     }
 
     void list_pixels(Pass pass) {
         t_.pixels.begin_next(gl_);
         gl_.UseProgram(list_program(pass));
-        run_over(settings_of_list(pass).compute, lists_out_of_list(pass));
+        run_over(lists_out_of_list(pass));
         t_.pixels.take_next(gl_);
     }
 };

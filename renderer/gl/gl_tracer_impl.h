@@ -36,7 +36,7 @@ struct GlTracer::Impl {
     GlVertexArray no_vertices;  // a core context draws with one bound, even an empty one
     UniformBuffer<gl_blocks::FrameBlock> frame_block;
     gl_blocks::FrameBlock frame_values{};  // what was set last for a whole tile
-    GlBuffer counts;                       // shaded pixels; groups taken by persistent work groups
+    GlBuffer counts;                       // shaded pixels
     std::optional<SceneUpload> uploaded;
     FrameTargets targets;
     RayQueues queues;  // of GlMode::wavefront
@@ -52,7 +52,6 @@ struct GlTracer::Impl {
     [[nodiscard]] SceneNeeds needs_of(const TraceConfig& config);
     [[nodiscard]] GLuint program(Step step, const ProgramSettings& settings);
     [[nodiscard]] ProgramSettings settings_of(const TraceConfig& config);
-    /// Of shaded pixels and of groups taken.
     void reset_counts() const;
     void draw_quad() const;
     /// Runs the compute program in use over so many pixels; what it stores can then be read in any way.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "renderer/gl/ray_queues.h"
 #include "renderer/scene/needs_sizes.h"
 
 namespace kd {
@@ -63,10 +64,12 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
                           {"KD_MORTON", flag(s.compute.morton)},
                           {"KD_LISTED", flag(s.listed)},
                           {"KD_DEALT", flag(s.compute.dealt.value_or(false))},
-                          {"KD_PERSISTENT", flag(s.compute.persistent > 0)},
                           {"KD_STORAGE", flag(s.compute.storage)}};
     if (s.mode == GlMode::wavefront) {
         defines["KD_PHASE"] = std::to_string(walks ? s.phase : 0);
+        defines["KD_FOUND_WORD"] = std::to_string(RayWords::found);
+        defines["KD_WALK_WORD"] = std::to_string(RayWords::walk);
+        defines["KD_STACK_WORD"] = std::to_string(RayWords::stack);
         if (is_kernel(step)) defines["KD_STEPS"] = steps_of(s.trace.traversal);
     }
     return defines;
@@ -104,8 +107,8 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool shades = step == Step::shade_prim || step == Step::shade_refl;
     const bool reflects = step == Step::rt_refl;
     const bool walks = step_walks(step, s.needs);
-    const bool looks_up_materials =
-        step != Step::rays && step != Step::list_hits && !is_kernel(step) && (step != Step::rt_prim || s.needs.reflections);
+    const bool looks_up_materials = step != Step::rays && step != Step::list_hits && !is_kernel(step) &&
+                                    (step != Step::rt_prim || s.needs.reflections);
     const bool calculates = step != Step::mark && !is_list(step);
     ProgramKey key;
     name_files(key, step, s.mode);

@@ -35,10 +35,9 @@ GlBuffer make_buffer(const GlApi& gl, std::int64_t bytes) {
 }  // namespace
 
 int words_per_ray(const TraceConfig& config, const SceneNeeds& needs) {
-    constexpr int ray_and_answer = 24, walk = 24;
     const TraversalInfo& info = kd::info(config.traversal);
-    return ray_and_answer + walk + (info.has(walk_stack) ? 3 * needs.levels : 0) +
-           (info.has(walk_short_stack) ? 4 * config.short_stack : 0);
+    if (info.has(walk_stack)) return RayWords::stack + 3 * needs.levels;
+    return RayWords::end_of_walk + (info.has(walk_short_stack) ? 4 * config.short_stack : 0);
 }
 
 void check_wavefront(const TraceConfig& config) {

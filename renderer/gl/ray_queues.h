@@ -9,7 +9,14 @@
 
 namespace kd {
 
-/// 32-bit words of one ray's state (shaders/wavefront/ray_states.glsl, keep_walk.glsl, stored_stack.glsl).
+/// At which 32-bit word of a ray's state each part begins: behind what is asked, what has been found
+/// (shaders/wavefront/ray_states.glsl), the walk (keep_walk.glsl) and, behind a walk that has one, the stack
+/// (stored_stack.glsl).
+struct RayWords {
+    static constexpr int found = 12, walk = 24, stack = 32, end_of_walk = 48;
+};
+
+/// Words of one ray's state.
 [[nodiscard]] int words_per_ray(const TraceConfig& config, const SceneNeeds& needs);
 
 /// InputError where no walk step by step is written for `config`: naive, and rules that are not robust.

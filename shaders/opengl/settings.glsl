@@ -120,7 +120,7 @@
 #define KD_LOOP_LIMIT 0
 #endif
 
-// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: groups fetch pixels until none is left;
+// Compute shaders: pixels of a work group each way; 1: in Morton order;
 // 1: only pixels of a list, made by another kernel; 1: groups are dealt to a software renderer's threads; 1: what walks read
 // lies in storage buffers, 0: in textures.
 #ifndef KD_GROUP_X
@@ -141,9 +141,6 @@
 #ifndef KD_DEALT
 #define KD_DEALT 0
 #endif
-#ifndef KD_PERSISTENT
-#define KD_PERSISTENT 0
-#endif
 
 // 0: rays walk where they are made; 1: they are put into queues, and nothing else is done; 2: their answers are read.
 #ifndef KD_PHASE
@@ -154,6 +151,9 @@
 // words of a ray's state at which its walk and its stack begin, and the queue that is planned.
 #ifndef KD_STEPS
 #define KD_STEPS 0
+#endif
+#ifndef KD_FOUND_WORD
+#define KD_FOUND_WORD 12
 #endif
 #ifndef KD_WALK_WORD
 #define KD_WALK_WORD 24

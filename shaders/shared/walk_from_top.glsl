@@ -40,6 +40,18 @@ KD_FN void push_short(INOUT(ShortStack) stack, int entries, int node, real begin
     on_push(stack.held);
 }
 
+/// Takes the newest entries off until one can still hold a nearer hit; its place, -1 where none can.
+KD_FN int take_newest(INOUT(ShortStack) stack, int entries, IN(Hit) hit)
+{
+    while (entries > 0 && stack.held > 0) {
+        int place = stack.newest;
+        --stack.held;
+        stack.newest = place == 0 ? entries - 1 : place - 1;
+        if (!beyond_hit(hit, stack.begin[place])) return place;
+    }
+    return -1;
+}
+
 /// `entry`: the node to begin at. `entries`: 0 to KD_SHORT_STACK far children that are kept. With `push_down` the top sinks
 /// to the deepest cell outside of which nothing is left to visit. `budget`: steps.
 KD_FN void walk_from_top(IN(RaySetup) s, bool any_hit, int entry, bool push_down, int entries, int budget,
@@ -112,25 +124,16 @@ KD_FN void walk_from_top(IN(RaySetup) s, bool any_hit, int entry, bool push_down
             if (any_hit && hit.triangle >= 0) break;
         }
 
-        // Take what was kept and can still hold a nearer hit.
-        bool found = false;
-        while (entries > 0 && stack.held > 0 && !found) {
-            int place = stack.newest;
-            --stack.held;
-            stack.newest = place == 0 ? entries - 1 : place - 1;
-            if (!beyond_hit(hit, stack.begin[place])) {
-                found = true;
-                node = stack.node[place];
-                t_begin = stack.begin[place];
-                t_end = stack.end[place];
-                trail = advance_trail(trail, stack.level[place]);
-                level = stack.level[place] + 1;
-                turned_at = -1;
-            }
-        }
-
-        // Else find the deepest of what was forgotten.
-        if (!found) {
+        int kept = take_newest(stack, entries, hit);
+        if (kept >= 0) {
+            node = stack.node[kept];
+            t_begin = stack.begin[kept];
+            t_end = stack.end[kept];
+            trail = advance_trail(trail, stack.level[kept]);
+            level = stack.level[kept] + 1;
+            turned_at = -1;
+        } else {
+            // Find the deepest of what was forgotten.
             if (forgotten.level < 0 || beyond_hit(hit, forgotten.begin)) break;
             trail = advance_trail(trail, forgotten.level);
             turned_at = forgotten.level;

@@ -36,24 +36,18 @@ void begin_from_top()
     begin_at_top();
 }
 
-/// Takes the newest of what was kept and can still hold a nearer hit; false where there is none.
+/// Goes on at the newest of what was kept and can still hold a nearer hit; false where there is none.
 bool take_kept(IN(Hit) hit)
 {
-    while (entries_kept > 0 && walk_kept.held > 0) {
-        int place = walk_kept.newest;
-        --walk_kept.held;
-        walk_kept.newest = place == 0 ? entries_kept - 1 : place - 1;
-        if (!beyond_hit(hit, walk_kept.begin[place])) {
-            walk_begin = walk_kept.begin[place];
-            walk_end = walk_kept.end[place];
-            walk_trail = advance_trail(walk_trail, walk_kept.level[place]);
-            walk_level = walk_kept.level[place] + 1;
-            walk_turned_at = -1;
-            go_to(walk_kept.node[place]);
-            return true;
-        }
-    }
-    return false;
+    int kept = take_newest(walk_kept, entries_kept, hit);
+    if (kept < 0) return false;
+    walk_begin = walk_kept.begin[kept];
+    walk_end = walk_kept.end[kept];
+    walk_trail = advance_trail(walk_trail, walk_kept.level[kept]);
+    walk_level = walk_kept.level[kept] + 1;
+    walk_turned_at = -1;
+    go_to(walk_kept.node[kept]);
+    return true;
 }
 
 void leave_leaf_from_top(IN(Hit) hit)

@@ -1,4 +1,4 @@
-// The variables of steps/..., kept behind ray and hit. wavefront_words() in renderer/gl/ray_queues.cpp leaves room for them.
+// The variables of steps/..., kept behind ray and hit. RayWords in renderer/gl/ray_queues.h leaves room for them.
 
 #if KD_STEPS == 1 || KD_STEPS == 3 || KD_STEPS == 4 || KD_STEPS == 5
 void keep_from_top()

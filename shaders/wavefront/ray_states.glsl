@@ -70,10 +70,10 @@ void keep_asked(int slot, inout AskedRay asked, bool save)
     keep(asked.begun);
 }
 
-/// What has been found so far; at the end, the answer. Behind the 12 words of the ray.
+/// What has been found so far; at the end, the answer. Behind the ray.
 void keep_found(int slot, inout Hit hit, inout RayCounters counted, bool save)
 {
-    begin_state(slot, 12, save);
+    begin_state(slot, KD_FOUND_WORD, save);
     keep(hit.triangle);
     keep(hit.t);
     keep(hit.u);

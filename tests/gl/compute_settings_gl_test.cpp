@@ -3,6 +3,7 @@
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/gl/multiprocessors.h"
+#include "renderer/gl/program.h"
 #include "renderer/trace/counters.h"
 #include "tests/gl/gl_test.h"
 #include "tests/support/environment_variable.h"
@@ -19,21 +20,22 @@ using test::whole;
 TEST(ComputeSettings, SayHowGroupsAreShaped) {
     EXPECT_EQ(parse_compute_settings("16x8"), (ComputeSettings{.x = 16, .y = 8, .morton = true}));
     EXPECT_EQ(parse_compute_settings("32x8"), (ComputeSettings{.x = 32, .y = 8, .morton = false}));
-    EXPECT_EQ(parse_compute_settings("8x8,linear,persistent:1056,textures"),
-              (ComputeSettings{.x = 8, .y = 8, .morton = false, .persistent = 1056, .storage = false}));
+    EXPECT_EQ(parse_compute_settings("8x8,linear,textures"),
+              (ComputeSettings{.x = 8, .y = 8, .morton = false, .storage = false}));
     EXPECT_EQ(parse_compute_settings("8x4,storage").storage, true);
     EXPECT_EQ(parse_compute_settings("8x4,lists").lists, true);
     EXPECT_EQ(parse_compute_settings("8x4,no-lists").lists, false);
+    EXPECT_EQ(parse_compute_settings("8x8,dealt").dealt, true);
+    EXPECT_EQ(parse_compute_settings("8x8,in-order").dealt, false);
 }
 
 TEST(ComputeSettings, RefuseWhatIsNone) {
     const auto told = [](const char* text) { return refusal([&] { (void)parse_compute_settings(text); }); };
-    constexpr const char* remedy = "; say 16x8, 16x16,linear or 8x4,persistent:1056,storage";
+    constexpr const char* remedy = "; say 16x8, 16x16,linear or 8x4,storage";
     EXPECT_EQ(told("8"), std::string("KDSCOPE_COMPUTE '8': it begins with no size") + remedy);
     EXPECT_EQ(told("0x8"), std::string("KDSCOPE_COMPUTE '0x8': '0' is no number from 1 to 1024") + remedy);
     EXPECT_EQ(told("64x32"), std::string("KDSCOPE_COMPUTE '64x32': a group has at most 1024 pixels") + remedy);
     EXPECT_EQ(told("8x8,fast"), std::string("KDSCOPE_COMPUTE '8x8,fast': 'fast' is unknown") + remedy);
-    EXPECT_NE(told("8x8,persistent:x").find("'x' is no number"), std::string::npos);
 }
 
 using ComputeGl = ContextTest;
@@ -48,8 +50,8 @@ TEST_P(ComputeGl, NoSettingChangesAFrame) {
     config.trace.reflection_depth = 4;  // a third bounce finds what the first has left
     Frame expected(width, height);
     CpuTracer(scene, tree).trace_frame(config.trace, camera, expected, 2);
-    for (const char* said :
-         {"8x8", "16x8,storage,no-lists", "32x2,linear,textures", "8x1,storage,lists", "64x16,lists", "8x8,no-lists"}) {
+    for (const char* said : {"8x8", "16x8,storage,no-lists,dealt", "32x2,linear,textures", "8x1,storage,lists,dealt",
+                             "64x16,lists", "8x8,no-lists", "8x8,lists,in-order"}) {
         const test::Variable variable("KDSCOPE_COMPUTE", said);
         GlTracer tracer(*context, GlMode::compute);
         tracer.upload(scene, tree);
@@ -101,6 +103,24 @@ TEST_P(ComputeGl, CountsMultiprocessorsWhereTheDriverTells) {
         EXPECT_GE(counted->used, 1);
         EXPECT_LE(counted->used, counted->there);
     }
+}
+
+/// The shaders of multiprocessors_used(), as a driver with the extension reads them: what it adds is 0 here.
+TEST_P(ComputeGl, ShadersThatTellTheirMultiprocessorCompile) {
+    const ShaderReader read = [](const std::string& path) {
+        std::optional<std::string> text = default_shader_reader()(path);
+        for (const auto& [from, to] : {std::pair{"#extension GL_NV_shader_thread_group : require", ""},
+                                       std::pair{"gl_SMIDNV", "0u"}, std::pair{"gl_SMCountNV", "0u"}})
+            if (const std::size_t at = text ? text->find(from) : std::string::npos; at != std::string::npos)
+                text->replace(at, std::string_view(from).size(), to);
+        return text;
+    };
+    ProgramKey computed;
+    computed.compute = "compute/multiprocessors.comp";
+    computed.defines = {{"KD_GROUP_X", "8"}, {"KD_GROUP_Y", "8"}};
+    EXPECT_NO_THROW(GlProgram(gl(), computed, read));
+    EXPECT_NO_THROW(
+        GlProgram(gl(), {"fragment/quad.vert", "fragment/multiprocessors.frag", {{"KD_QUAD_DEPTH", "0.0"}}}, read));
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST_P(ProgramGl, CompilesEveryStepWithEveryTraversalRuleAndSwitch) {
             ProgramSettings s;
             s.mode = mode;
             s.compute.storage = s.compute.morton = on;
-            s.compute.persistent = on ? 64 : 0;
+            s.compute.dealt = on;
             s.trace.traversal = traversal.id;
             s.trace.rules = rules.id;
             s.count_shaded = s.limited_loops = s.corrected_rounding = on;

@@ -32,7 +32,7 @@ TEST(RayQueues, AStackTakesThreeWordsALevel) {
     SceneNeeds needs;
     needs.levels = 20;
     const int stackless = words_per_ray({.traversal = Traversal::restart}, needs);
-    EXPECT_EQ(words_per_ray({}, needs), stackless + 3 * 20);
+    EXPECT_EQ(words_per_ray({}, needs), RayWords::stack + 3 * 20);
     EXPECT_EQ(words_per_ray({.traversal = Traversal::short_stack, .short_stack = 3}, needs), stackless + 4 * 3);
 }
 
