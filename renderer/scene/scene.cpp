@@ -78,8 +78,11 @@ class Flattener {
 
     /// After all instances: brings the triangles to internal units, and drops those whose tests would underflow in
     /// them.
-    void finish() {
-        rescale(flat_);
+    void finish(const FlatScene* like) {
+        if (like)
+            rescale(flat_, like->exponent);
+        else
+            rescale(flat_);
         std::size_t kept = 0;
         Aabb bounds;
         for (std::size_t i = 0; i < flat_.triangles.size(); ++i) {
@@ -165,11 +168,11 @@ bool is_usable(const Light& light) {
 }
 
 /// Lights and camera, with replacements where the scene has none that can be used.
-void add_view(const Scene& scene, FlatScene& flat, Tally& tally) {
+void add_view(const Scene& scene, const FlatScene* like, FlatScene& flat, Tally& tally) {
     if (scene.camera && is_valid(*scene.camera) && is_valid(to_internal(flat, *scene.camera))) {
         flat.camera = to_internal(flat, *scene.camera);
     } else {
-        flat.camera = fit_camera(flat.bounds);
+        flat.camera = like ? like->camera : fit_camera(flat.bounds);
         if (scene.camera)
             flat.notes.emplace_back(
                 "replaced the scene's camera, which cannot be used, by one that sees the whole scene");
@@ -188,9 +191,7 @@ void note(FlatScene& flat, std::int64_t count, std::string_view verb, std::strin
     if (count > 0) flat.notes.push_back(fmt::format("{} {} {}{}{}", verb, count, noun, count == 1 ? "" : "s", why));
 }
 
-}  // namespace
-
-FlatScene flatten(const Scene& scene) {
+FlatScene flatten(const Scene& scene, const FlatScene* like) {
     check_scene(scene);
     FlatScene flat;
     flat.name = scene.name;
@@ -205,10 +206,10 @@ FlatScene flatten(const Scene& scene) {
     for (const Instance& instance : scene.instances)
         flattener.add_instance(scene.meshes[std::size_t(instance.mesh)], instance.to_world);
 
-    flattener.finish();
+    flattener.finish(like);
 
     Tally tally = flattener.tally();
-    add_view(scene, flat, tally);
+    add_view(scene, like, flat, tally);
     note(flat, tally.degenerate, "dropped", "degenerate triangle");
     note(flat, tally.out_of_range, "dropped", "triangle", " with coordinates that are not finite or beyond 1.844e18");
     note(flat, tally.too_small, "dropped", "triangle", " too small beside the scene for single precision");
@@ -217,5 +218,11 @@ FlatScene flatten(const Scene& scene) {
     note(flat, tally.lights, "dropped", "light", " with values that are not finite");
     return flat;
 }
+
+}  // namespace
+
+FlatScene flatten(const Scene& scene) { return flatten(scene, nullptr); }
+
+FlatScene flatten_like(const Scene& scene, const FlatScene& like) { return flatten(scene, &like); }
 
 }  // namespace kd

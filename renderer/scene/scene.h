@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "renderer/scene/camera.h"
 
 namespace kd {
+
+class Motion;
 
 /// Indexed triangles sharing one material. `normals` and `texture_coordinates` are empty or one per position.
 struct Mesh {
@@ -40,8 +43,9 @@ struct Scene {
     std::vector<Light> lights;
     Vec3 ambient{0.12f};
     Vec3 background{0.10f, 0.11f, 0.13f};
-    std::optional<Camera> camera;    // fitted to the bounds where absent
-    std::vector<std::string> notes;  // what loading dropped or replaced, one sentence each
+    std::optional<Camera> camera;          // fitted to the bounds where absent
+    std::shared_ptr<const Motion> motion;  // null where nothing moves
+    std::vector<std::string> notes;        // what loading dropped or replaced, one sentence each
 };
 
 /// Per-corner data of one triangle.
@@ -64,6 +68,8 @@ struct FlatScene {
     Aabb bounds;
     Camera camera;
     int exponent = 0;          // all lengths here times 2^exponent are in scene units: see units.h
+    double duration = 0.0;     // seconds of the motion, 0 where nothing moves
+    double time = 0.0;         // in seconds, 0 to below `duration`
     bool has_normals = false;  // some vertex normal differs from the geometric one
     std::vector<std::string> notes;
 };
@@ -78,5 +84,9 @@ struct FlatScene {
 /// Applies the instance transforms (in double), drops triangles that are degenerate or not finite (counted in `notes`),
 /// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
+
+/// As flatten(), in the units of `like`, another pose of the scene, and with its camera where the scene has none of its
+/// own.
+[[nodiscard]] FlatScene flatten_like(const Scene& scene, const FlatScene& like);
 
 }  // namespace kd

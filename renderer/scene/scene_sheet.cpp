@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 
+#include "renderer/scene/motion.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/procedural_table.h"
 #include "renderer/scene/random.h"
@@ -17,14 +19,18 @@ namespace {
 constexpr double left = -2.8, right = 2.8;
 constexpr double back = -3.4, front = 1.8;
 
-/// height * sin(kx * x + kz * z + phase)
+/// height * sin(kx * x + kz * z + phase); in motion its crests pass `cycles` times, in either direction.
 struct Wave {
     double height, kx, kz, phase;
+    int cycles;
 };
 using Waves = std::array<Wave, 4>;
 
 Waves random_waves(Random& random) {
-    Waves waves{{{0.120, 1.9, 0.7, 0.0}, {0.080, -1.2, 2.6, 0.0}, {0.040, 4.3, 3.1, 0.0}, {0.012, -8.0, 9.5, 0.0}}};
+    Waves waves{{{0.120, 1.9, 0.7, 0.0, 1},
+                 {0.080, -1.2, 2.6, 0.0, 1},
+                 {0.040, 4.3, 3.1, 0.0, -2},
+                 {0.012, -8.0, 9.5, 0.0, 3}}};
     for (Wave& wave : waves) wave.phase = 2.0 * std::numbers::pi * random.unit();
     return waves;
 }
@@ -78,13 +84,35 @@ Image<Rgba8> chequers() {
     return image;
 }
 
+/// The waves run through the sheet.
+class WaveMotion : public Motion {
+  public:
+    WaveMotion(int size, const Waves& waves) : size_(size), waves_(waves) {}
+
+    [[nodiscard]] double duration() const override { return 4.0; }
+
+    void pose(Scene& scene, double seconds) const override {
+        Waves moved = waves_;
+        for (Wave& wave : moved) wave.phase -= 2.0 * std::numbers::pi * wave.cycles * seconds / duration();
+        Mesh surface = make_surface(size_, moved);
+        surface.material = scene.meshes.front().material;
+        scene.meshes.front() = std::move(surface);
+    }
+
+  private:
+    int size_;
+    Waves waves_;
+};
+
 Scene make_sheet(int size, unsigned seed) {
     Scene scene;
     Random random(seed);
     scene.textures.push_back(chequers());
     Material material = glossy(Vec3(0.95f), 0.12f, 40.0f);
     material.texture = 0;
-    place(scene, make_surface(size, random_waves(random)), material);
+    const Waves waves = random_waves(random);
+    place(scene, make_surface(size, waves), material);
+    scene.motion = std::make_shared<WaveMotion>(size, waves);
 
     scene.ambient = Vec3(0.20f);
     scene.lights.push_back(point_light({-2.2f, 2.6f, -2.4f}, Vec3(0.95f), {0.85f, 0.025f}));
@@ -100,7 +128,8 @@ ProceduralScene sheet_scene() {
             .smallest_size = 2,
             .largest_size = 2000000,
             .summary =
-                "A wavy sheet of about N triangles seen obliquely, filling the view; textured, with smooth normals.",
+                "A wavy sheet of about N triangles seen obliquely, filling the view; textured, with smooth normals; "
+                "its waves move.",
             .make = make_sheet,
             .seeded = true};
 }

@@ -30,8 +30,12 @@ int exponent_for(float largest_coordinate) {
 void rescale(FlatScene& scene) {
     if (scene.bounds.empty()) return;
     const Vec3 largest = glm::max(glm::abs(scene.bounds.lower), glm::abs(scene.bounds.upper));
-    scene.exponent = exponent_for(std::max({largest.x, largest.y, largest.z}));
-    if (scene.exponent == 0) return;
+    rescale(scene, exponent_for(std::max({largest.x, largest.y, largest.z})));
+}
+
+void rescale(FlatScene& scene, int exponent) {
+    scene.exponent = exponent;
+    if (exponent == 0) return;
     for (Triangle& t : scene.triangles)
         for (Vec3& p : t.corner) p = to_internal(scene, p);
     scene.bounds = {to_internal(scene, scene.bounds.lower), to_internal(scene, scene.bounds.upper)};

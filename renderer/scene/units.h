@@ -18,6 +18,9 @@ namespace kd {
 /// coordinate that vanishes beside the largest. Camera and lights are left to the caller.
 void rescale(FlatScene& scene);
 
+/// As rescale(), with an exponent chosen before.
+void rescale(FlatScene& scene, int exponent);
+
 [[nodiscard]] float to_internal(const FlatScene& scene, float length);
 [[nodiscard]] Vec3 to_internal(const FlatScene& scene, Vec3 point);
 [[nodiscard]] Ray to_internal(const FlatScene& scene, const Ray& ray);

@@ -1,0 +1,31 @@
+// A scene at any time, flat.
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+namespace kd {
+
+/// Poses and flattens a scene, whether or not it moves. All times share units, and the camera where the scene has none
+/// of its own, so that a picture's camera and t mean the same in each. Safe to ask from several threads at once.
+class MovingScene {
+  public:
+    explicit MovingScene(Scene scene);
+
+    /// Seconds until the motion begins again; 0 where nothing moves.
+    [[nodiscard]] double duration() const;
+
+    /// As flatten() made it, at time 0.
+    [[nodiscard]] const FlatScene& at_rest() const { return at_rest_; }
+
+    /// At any finite time, also before 0; the motion is repeated. Time in proportion to the scene's size.
+    [[nodiscard]] FlatScene at(double seconds) const;
+
+  private:
+    Scene scene_;
+    FlatScene at_rest_;
+};
+
+/// Where in a motion of `duration` a time lies, 0 to below it; 0 where nothing moves.
+[[nodiscard]] double place_in_motion(double seconds, double duration);
+
+}  // namespace kd
