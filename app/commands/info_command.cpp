@@ -15,6 +15,7 @@
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/gl/gl_tracer.h"
+#include "renderer/gl/multiprocessors.h"
 #include "renderer/peers/peers.h"
 #include "renderer/scene/procedural.h"
 
@@ -41,6 +42,38 @@ std::string self_test_result(Context& context) {
     }
 }
 
+std::string word(const Json& value) {
+    return value.is_null() ? "none found" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// Of either kind of shaders, at a picture of 1024 x 1024 pixels: those that work and those there are; what the driver
+/// says where it refuses to tell; null where it cannot.
+Json multiprocessor_info(Context& context) {
+    Json json = nullptr;
+    for (const auto& [name, mode] : {std::pair("fragment", GlMode::fragment), std::pair("compute", GlMode::compute)}) {
+        try {
+            const std::optional<Multiprocessors> counted = multiprocessors_used(context.gl(), mode, 1024, 1024);
+            if (counted) json[name] = {{"used", counted->used}, {"there", counted->there}};
+        } catch (const GlError& error) {
+            json[name] = error.what();
+        }
+    }
+    return json;
+}
+
+/// "fragment shaders: 12 of 132, compute shaders: 132 of 132".
+std::string multiprocessor_text(const Json& kinds) {
+    if (kinds.is_null()) return "not told by this driver";
+    std::string list;
+    for (const auto& [name, counted] : kinds.items()) {
+        const std::string share = counted.is_string()
+                                      ? word(counted)
+                                      : fmt::format("{} of {}", word(counted["used"]), word(counted["there"]));
+        list += fmt::format("{}{} shaders: {}", list.empty() ? "" : ", ", name, share);
+    }
+    return list;
+}
+
 Json context_info(ContextKind kind) {
     Json json{{"context", name_of(kind)}};
     try {
@@ -54,6 +87,7 @@ Json context_info(ContextKind kind) {
             json["limits"][limit.name] = value;
         }
         json["self_test"] = self_test_result(*context);
+        json["multiprocessors"] = multiprocessor_info(*context);
     } catch (const ContextError& error) {
         json["unavailable"] = error.what();
     }
@@ -106,10 +140,6 @@ Json collect() {
     return json;
 }
 
-std::string word(const Json& value) {
-    return value.is_null() ? "none found" : value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 std::string word_list(const Json& values) {
     std::string list;
     for (const Json& value : values) list += (list.empty() ? "" : ", ") + word(value);
@@ -140,6 +170,7 @@ void print(std::ostream& out, const Json& json) {
         line("", list);
         const std::string result = word(context["self_test"]);
         line("", result == "passed" ? "self-test passed" : result);
+        line("", "multiprocessors at work: " + multiprocessor_text(context["multiprocessors"]));
     }
     for (const auto& [use, file] : json["fonts"].items()) line(use + " font", word(file));
     line("scenes", word_list(json["scenes"]));

@@ -37,6 +37,15 @@ std::string canonical(const std::string& id) {
     return found;
 }
 
+bool is_further_shader(TracerKind tracer) {
+    return tracer == TracerKind::gl_compute || tracer == TracerKind::gl_wavefront;
+}
+
+/// The whole suite by these as well takes several minutes more on a software renderer.
+bool leaves_out_further_shaders(const StabilityOptions& options) {
+    return !options.tracer && !options.config.long_run && options.config.cases.empty();
+}
+
 StabilityConfig config_for(const StabilityOptions& options) {
     StabilityConfig config = options.config;
     for (std::string& id : config.cases) id = canonical(id);
@@ -47,10 +56,7 @@ StabilityConfig config_for(const StabilityOptions& options) {
     config.seed = options.session.seed;
     config.packet_size = options.session.trace.packet_size;
     std::vector<TracerKind> tracers = wanted_tracers(options);
-    // The whole suite by these as well takes several minutes more on a software renderer.
-    if (!options.tracer && !config.long_run && config.cases.empty())
-        std::erase_if(tracers,
-                      [](TracerKind t) { return t == TracerKind::gl_compute || t == TracerKind::gl_wavefront; });
+    if (leaves_out_further_shaders(options)) std::erase_if(tracers, is_further_shader);
     static_cast<MachineChoice&>(config) = wanted_machines(options, tracers);
     return config;
 }
@@ -112,6 +118,9 @@ StabilityReport run_suite(const StabilityOptions& options, const CommandContext&
         };
         report = run_stability(config_for(options), show, context.stop);
     }
+    if (leaves_out_further_shaders(options))
+        report.notes.emplace_back(
+            "gl-compute and gl-wavefront left out: they take part with --tracer, --case or --long");
     if (!options.json) table.print_new(report);
     if (!options.json && !report.complete) print_reasons(context.out, report);
     check_stop(context);

@@ -250,8 +250,34 @@ TEST(Info, SaysWhatThisBuildIs) {
     EXPECT_EQ(facts["contexts"].size(), 2u);
     for (const json& context : facts["contexts"])
         EXPECT_NE(context.contains("renderer"), context.contains("unavailable"));
+    for (const json& context : facts["contexts"]) {
+        if (!context.contains("renderer")) continue;
+        const json& kinds = context["multiprocessors"];
+        if (context["software"] == true) {
+            EXPECT_TRUE(kinds.is_null()) << "llvmpipe has none to tell of: " << kinds;
+        }
+        if (kinds.is_null()) continue;
+        for (const char* kind : {"fragment", "compute"}) {
+            EXPECT_GE(kinds[kind]["used"], 1);
+            EXPECT_LE(kinds[kind]["used"], kinds[kind]["there"]);
+        }
+    }
     EXPECT_NE(std::ranges::find(facts["scenes"], json("rooms")), facts["scenes"].end());
     EXPECT_NE(std::ranges::find(facts["scenes"], json("lantern.gltf")), facts["scenes"].end());
+}
+
+TEST(Info, SaysWhetherADriverTellsOfItsMultiprocessors) {
+    const json facts = json::parse(run_kdscope({"info", "--json"}).out);
+    const bool none_tells = std::ranges::all_of(facts["contexts"], [](const json& context) {
+        return context.contains("unavailable") || context["multiprocessors"].is_null();
+    });
+    const bool one_is_there =
+        std::ranges::any_of(facts["contexts"], [](const json& context) { return !context.contains("unavailable"); });
+    const std::string text = run_kdscope({"info"}).out;
+    EXPECT_EQ(text.find("multiprocessors at work: ") != std::string::npos, one_is_there) << text;
+    if (none_tells && one_is_there) {
+        EXPECT_NE(text.find("multiprocessors at work: not told by this driver"), std::string::npos) << text;
+    }
 }
 
 TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {

@@ -84,9 +84,10 @@ StabilityReport run_stability(const StabilityConfig& config, const StabilityProg
     const std::vector<const StabilityCase*> cases = chosen_cases(config.cases);
     const auto machines = open_machines(config, "checked", report.notes);
     if (!config.contexts.empty() && config.traversals.empty() && !config.long_run && config.rules == Rules::robust)
-        report.notes.emplace_back("on OpenGL stack, restart and backtrack only, by turns where it has several tracers, "
-                                  "but for T62, which has all; "
-                                  "the others with --long, or where --traversal names one");
+        report.notes.push_back(fmt::format(
+            "on OpenGL stack, restart and backtrack only{}, but for T62, which has all; the others with "
+            "--long, or where --traversal names one",
+            config.gl.size() > 1 ? " (each tracer after the first by one of these in a case, in turn)" : ""));
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto tell = [&](float done, const std::string& doing) {
             const std::string what = fmt::format("{} {}{}", cases[i]->id, cases[i]->title, doing);
