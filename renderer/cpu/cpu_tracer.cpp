@@ -28,7 +28,7 @@ void run_job(const RayJob& job) { job.view.in_force == CpuMode::scalar ? run_ray
 
 std::string cpu_target_name() {
     // The best of the instruction sets that the hot code was compiled for and this processor has.
-    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_DISABLED_TARGETS);
+    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
     std::string name = hwy::TargetName(usable & -usable);
     constexpr std::string_view ours = "AVX3";  // Highway's word for AVX-512
     if (name.starts_with(ours)) name.replace(0, ours.size(), "AVX-512");

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <set>
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/leaf_blocks.h"
@@ -11,6 +13,7 @@
 #include "renderer/kdtree/sah.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/trace/counters.h"
+#include "tests/support/instruction_sets.h"
 
 namespace kd {
 namespace {
@@ -120,10 +123,26 @@ TEST_P(WidePacket, AnswersAndCountsAsTheSharedTextDoes) {
                     }
                 };
                 SCOPED_TRACE(testing::Message() << "blocks of " << block << ", any hit " << any_hit);
-                expect_the_same(wide);
-                for (config.packet_size = 4; config.packet_size <= 16; config.packet_size *= 2) expect_the_same(packet);
+                test::on_each_instruction_set([&] {
+                    expect_the_same(scalar);
+                    expect_the_same(wide);
+                    for (const int size : {4, 8, 16}) {
+                        SCOPED_TRACE(testing::Message() << "packets of " << size);
+                        config.packet_size = size;
+                        expect_the_same(packet);
+                    }
+                });
             }
     }
+}
+
+TEST(WidePackets, RunWithEveryInstructionSet) {
+    std::set<std::string> names;
+    const std::string best = cpu_target_name();
+    test::on_each_instruction_set([&] { names.insert(cpu_target_name()); });
+    EXPECT_EQ(names.size(), hwy::SupportedAndGeneratedTargets().size());
+    EXPECT_TRUE(names.contains(best));
+    EXPECT_EQ(cpu_target_name(), best);
 }
 
 TEST(WidePackets, OtherWalksAndRulesComeToWhatTheyCan) {
