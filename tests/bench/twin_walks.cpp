@@ -2,10 +2,10 @@
 
 #include <array>
 
+#include "renderer/cpu/targets.h"
 #include "renderer/cpu/tile_job.h"
 #include "renderer/trace/observer.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/twin_walks.cpp"
 #include <hwy/foreach_target.h>
