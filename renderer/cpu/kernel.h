@@ -39,7 +39,9 @@ class Kernel {
     real3 scene_background() const { return view.scene->background; }
 
     // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
-#ifndef KD_NO_OBSERVER
+#ifdef KD_NO_OBSERVER
+    KD_FN void on_triangle(int) {}
+#else
     KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
     KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }
