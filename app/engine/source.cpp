@@ -15,18 +15,19 @@ class CpuSource final : public FrameSource {
   public:
     explicit CpuSource(CpuMode mode) : mode_(mode) {}
 
-    void prepare(const FrameTask& task, int, int) override {
+    bool prepare(const FrameTask& task, int, int, const std::stop_token& stop) override {
         if (task.world != world_) {
             tracer_ = std::make_unique<CpuTracer>(task.world->scene(), task.world->tree, mode_);
             world_ = task.world;
         }
-        tracer_->prepare(task.config);
+        return tracer_->prepare(task.config, task.threads, stop);
     }
 
     FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
                     const std::function<void(float)>& progress) override {
-        prepare(task, frame.width, frame.height);
         FrameTime time;
+        time.complete = prepare(task, frame.width, frame.height, stop);
+        if (!time.complete) return time;
         time.total_ms = wall_ms([&] {
             time.complete = tracer_->trace_frame(task.config, task.camera, frame, task.threads, stop, progress);
         });
@@ -53,7 +54,7 @@ class GlSource final : public FrameSource {
         });
     }
 
-    void prepare(const FrameTask& task, int width, int height) override {
+    bool prepare(const FrameTask& task, int width, int height, const std::stop_token&) override {
         if (task.world != world_) {
             setup_.upload_ms = wall_ms([&] {
                 tracer_.upload(task.world->scene(), task.world->tree);
@@ -66,11 +67,12 @@ class GlSource final : public FrameSource {
         const GlTraceConfig config = complete(task);
         const double ms = wall_ms([&] { tracer_.prepare(config, width, height); });
         note_compiled(config, ms);
+        return true;
     }
 
     FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
                     const std::function<void(float)>& progress) override {
-        prepare(task, frame.width, frame.height);
+        prepare(task, frame.width, frame.height, stop);
         return drawer_.draw(tracer_, complete(task), task.camera, frame.width, frame.height, stop, progress);
     }
 

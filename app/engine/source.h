@@ -31,8 +31,9 @@ class FrameSource {
   public:
     virtual ~FrameSource() = default;
 
-    /// Makes tables, programs and targets, outside of any timing. InputError where the source has to refuse.
-    virtual void prepare(const FrameTask& task, int width, int height) = 0;
+    /// Makes tables, programs and targets, outside of any timing. False where `stop` ended it before. InputError where
+    /// the source has to refuse.
+    virtual bool prepare(const FrameTask& task, int width, int height, const std::stop_token& stop) = 0;
     /// Before a frame that is timed: see GlFrameDrawer::wake().
     virtual void wake(const FrameTask&, const Frame&, const std::stop_token&) {}
     /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.

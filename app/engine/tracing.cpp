@@ -107,7 +107,7 @@ std::optional<SampleReply> Tracing::sample(const TraceRequest& request, glm::dve
         task.camera = shifted(task.camera, offset, request.width, request.height);
         FrameSource& machine = source(request.tracer);
         const std::shared_ptr<Frame> scratch = frames_.take(request.width, request.height);
-        machine.prepare(task, request.width, request.height);
+        if (!machine.prepare(task, request.width, request.height, stop)) return std::nullopt;
         const FrameTime time = machine.trace(task, *scratch, stop, {});
         if (!time.complete) return std::nullopt;
         machine.read(task, *scratch);
@@ -135,7 +135,7 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
         const double predicted = plan_.predicted_ms(scale, request.width, request.height);
         const bool at_once = scale == first && predicted > 0 && predicted < 2 * LevelPlan::first_frame_ms;
         const std::shared_ptr<Frame> frame = frames_.take(width, height);
-        machine.prepare(task, width, height);
+        if (!machine.prepare(task, width, height, stop)) return;
         FrameTime time;
         const double with_reading = wall_ms([&] {
             time = machine.trace(task, *frame, at_once ? std::stop_token{} : stop, progress);
@@ -185,7 +185,7 @@ std::vector<FeatureTime> Tracing::time_needs(const TraceRequest& request, int ro
     task.config.counters = false;
     const auto frame = [&](FeatureSet forced) {
         task.config.forced = forced;
-        machine.prepare(task, width, height);
+        machine.prepare(task, width, height, stop);
         return machine.trace(task, *scratch, stop, {}).sample();
     };
     const auto go_on = [&](float done) {
@@ -219,7 +219,7 @@ std::optional<DuelReply> Tracing::duel_round(const TraceRequest& request, const 
 
     const std::shared_ptr<Frame> scratch = frames_.take(reply.width, reply.height);
     const auto time = [&](FrameSource& machine) {
-        machine.prepare(task, reply.width, reply.height);
+        machine.prepare(task, reply.width, reply.height, stop);
         machine.wake(task, *scratch, stop);
         return machine.trace(task, *scratch, stop, {});
     };

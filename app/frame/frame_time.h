@@ -26,6 +26,7 @@ struct FrameTime {
 struct SetupTimes {
     double upload_ms = -1;   // scene and tree, until the GPU has them
     double compile_ms = -1;  // programs, targets and tables of the configuration prepared last
+    double tables_ms = -1;   // on the CPU: all tables beside scene and tree that were made until now
 };
 
 }  // namespace kd

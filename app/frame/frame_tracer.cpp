@@ -20,14 +20,14 @@ class CpuFrameTracer final : public FrameTracer {
         : tracer_(scene, tree, mode), threads_(threads) {}
 
     void prepare(const TraceConfig& config, int width, int height) override {
-        tracer_.prepare(config);
-        if (frame_.width != width || frame_.height != height) frame_ = Frame(width, height);
+        (void)make_ready(config, width, height, {});
     }
 
     FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height, std::stop_token stop,
                     const std::function<void(float)>& progress) override {
-        prepare(config, width, height);
         FrameTime time;
+        time.complete = make_ready(config, width, height, stop);
+        if (!time.complete) return time;
         time.total_ms =
             wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
         return time;
@@ -36,11 +36,21 @@ class CpuFrameTracer final : public FrameTracer {
     [[nodiscard]] Frame frame(const TraceConfig&) override { return frame_; }
     [[nodiscard]] std::string renderer() const override { return cpu_renderer(threads_); }
     [[nodiscard]] std::string clock() const override { return "steady clock"; }
+    [[nodiscard]] SetupTimes setup() const override { return {.tables_ms = tables_ms_}; }
 
   private:
+    /// False where stopped before the end.
+    bool make_ready(const TraceConfig& config, int width, int height, const std::stop_token& stop) {
+        if (frame_.width != width || frame_.height != height) frame_ = Frame(width, height);
+        bool made = false;
+        tables_ms_ += wall_ms([&] { made = tracer_.prepare(config, threads_, stop); });
+        return made;
+    }
+
     CpuTracer tracer_;
     Frame frame_;
     int threads_;
+    double tables_ms_ = 0;
 };
 
 class GlFrameTracer final : public FrameTracer {

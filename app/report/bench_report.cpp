@@ -122,6 +122,7 @@ Json bench_json(const BenchScene& bench, const BenchRow& row) {
             {"build_ms", 1e3 * bench.build.seconds},
             {"upload_ms", or_null(row.setup.upload_ms)},
             {"compile_ms", or_null(row.setup.compile_ms)},
+            {"tables_ms", or_null(row.setup.tables_ms)},
             {"counters", counters},
             {"measured_on", json_of(bench.on)}};
 }

@@ -54,12 +54,13 @@ std::string_view NeedRow::state() const {
 
 std::vector<NeedRow> need_rows(const FlatScene& scene, const KdTree& tree, const SceneFacts& facts,
                                const Session& session, const std::vector<FeatureTime>& times) {
-    const bool gl = !runs_on_cpu(session.tracer);
+    const bool on_cpu = runs_on_cpu(session.tracer);
+    const auto cpu = on_cpu ? std::optional(cpu_mode(session.tracer)) : std::nullopt;
     const SceneNeeds needs = scene_needs(facts, session.trace);
     std::vector<NeedRow> rows;
     for (const FeatureInfo& feature : features()) {
-        NeedRow row{&feature, feature.need(facts, session.trace), needs.*feature.in_use, !gl && !feature.on_cpu};
-        row.bytes = feature_bytes(feature.id, scene, tree, facts, session.trace, gl, session.width, session.height);
+        NeedRow row{&feature, feature.need(facts, session.trace), needs.*feature.in_use, on_cpu && !feature.on_cpu};
+        row.bytes = feature_bytes(feature.id, scene, tree, facts, session.trace, cpu, session.width, session.height);
         for (const FeatureTime& time : times)
             if (time.feature == feature.id) row.time = time;
         rows.push_back(std::move(row));

@@ -17,7 +17,7 @@ class BatchTracer {
         for (unsigned left = batch_.entered; left != 0;) {
             const unsigned alike = together_ ? alike_of(left) : left;
             left &= ~alike;
-            if (together_ && std::popcount(alike) >= fewest)
+            if (together_ && std::popcount(alike) >= fewest_together)
                 PacketWalk<Kernel, Observer, N>(kernel_, batch_, any_hit, hits, observers).walk(alike);
             else
                 for (unsigned alone = alike; alone != 0; alone &= alone - 1)
@@ -26,7 +26,7 @@ class BatchTracer {
     }
 
   private:
-    static constexpr int fewest = N / 4 + 1;  // that are worth a packet
+    static constexpr int fewest_together = N / 4 + 1;  // rays alike that are worth a packet
 
     Kernel& kernel_;
     const Aabb bounds_;

@@ -28,7 +28,7 @@ void run_job(const RayJob& job) { job.view.in_force == CpuMode::scalar ? run_ray
 
 std::string cpu_target_name() {
     // The best of the instruction sets that the hot code was compiled for and this processor has.
-    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t(HWY_DISABLED_TARGETS);
+    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
     std::string name = hwy::TargetName(usable & -usable);
     constexpr std::string_view ours = "AVX3";  // Highway's word for AVX-512
     if (name.starts_with(ours)) name.replace(0, ours.size(), "AVX-512");
@@ -41,25 +41,30 @@ CpuTracer::CpuTracer(const FlatScene& scene, const KdTree& tree, CpuMode mode)
 CpuTracer::~CpuTracer() = default;
 CpuTracer::CpuTracer(CpuTracer&&) noexcept = default;
 
-void CpuTracer::prepare(const TraceConfig& config) { view_->prepare(config); }
-
-std::int64_t CpuTracer::table_bytes() const {
-    return std::int64_t(std::span(view_->packed_nodes).size_bytes() + std::span(view_->boxes).size_bytes() +
-                        std::span(view_->ropes).size_bytes() + std::span(view_->duplicated_corners).size_bytes());
+bool CpuTracer::prepare(const TraceConfig& config, int threads, const std::stop_token& stop) {
+    return view_->prepare(config, threads, stop);
 }
 
-std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs) {
+std::int64_t CpuTracer::table_bytes() const {
+    const auto bytes = [](const auto&... table) { return (std::span(table).size_bytes() + ...); };
+    return std::int64_t(bytes(view_->packed_nodes, view_->boxes, view_->ropes, view_->duplicated_corners,
+                              view_->leaf_blocks, view_->over_blocks.nodes));
+}
+
+std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs, CpuMode in_force) {
     constexpr std::size_t ropes = faces_of_a_cell * sizeof(std::int32_t);
-    return std::int64_t((needs.wide_nodes ? 0 : tree.nodes.size() * sizeof(PackedNode)) +
-                        (needs.node_boxes ? tree.nodes.size() * sizeof(Aabb) : 0) +
-                        (needs.ropes ? tree.nodes.size() * ropes : 0) +
-                        (needs.leaf_copies ? tree.references.size() * sizeof(Triangle) : 0));
+    const bool in_blocks = in_force != CpuMode::scalar;
+    const std::size_t own_nodes = in_blocks ? sizeof(TreeNode) : 0;  // else those of the tree
+    const std::size_t of_a_node = (needs.wide_nodes ? own_nodes : sizeof(PackedNode)) +
+                                  (needs.node_boxes ? sizeof(Aabb) : 0) + (needs.ropes ? ropes : 0);
+    return std::int64_t(tree.nodes.size() * of_a_node +
+                        (needs.leaf_copies && !in_blocks ? tree.references.size() * sizeof(Triangle) : 0));
 }
 
 bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& camera, std::span<const Tile> tiles,
                             Frame& frame, int threads, std::stop_token stop,
                             const std::function<void(float)>& progress) {
-    prepare(config);
+    if (!prepare(config, threads, stop)) return false;
     frame.exponent = view_->scene->exponent;
     std::atomic<std::size_t> done = 0;
     parallel_ranges(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
@@ -81,7 +86,7 @@ bool CpuTracer::trace_frame(const TraceConfig& config, const PinholeCamera& came
 
 bool CpuTracer::trace_rays(const TraceConfig& config, std::span<const Ray> rays, bool any_hit, std::span<Hit> hits,
                            std::span<RayCounters> counters, int threads, std::stop_token stop) {
-    prepare(config);
+    if (!prepare(config, threads, stop)) return false;
     const std::size_t grain = config.traversal == Traversal::naive ? naive_rays_per_task : rays_per_task;
     std::atomic<std::size_t> done = 0;
     parallel_ranges(rays.size(), grain, threads, [&](std::size_t first, std::size_t last) {

@@ -19,7 +19,7 @@ namespace kd {
 
 struct SceneView;  // renderer/cpu/scene_view.h
 
-/// Holds what tracing needs beside scene and tree (node boxes, duplicated leaf lists, made when first asked for).
+/// Holds what tracing needs beside scene and tree (node boxes, leaves in blocks, ...), made when first asked for.
 /// Scene and tree must outlive it. Calls on one tracer must not overlap; each uses as many threads as it is given.
 class CpuTracer {
   public:
@@ -27,8 +27,9 @@ class CpuTracer {
     ~CpuTracer();
     CpuTracer(CpuTracer&&) noexcept;
 
-    /// Makes the tables that `config` needs. Called by the others; call it first to keep it out of a timing.
-    void prepare(const TraceConfig& config);
+    /// Makes the tables that `config` needs, on `threads` threads (0 = all). False where stopped before the end; the
+    /// next call goes on. Called by the others; call it first to keep it out of a timing.
+    bool prepare(const TraceConfig& config, int threads = 0, const std::stop_token& stop = {});
 
     /// Traces the pixels of `tiles` into `frame` on `threads` threads (0 = all), in order as far as threads allow.
     /// False where stopped before the end. `progress` receives the fraction done and may be called from several
@@ -52,8 +53,10 @@ class CpuTracer {
     std::unique_ptr<SceneView> view_;
 };
 
-/// The same, known before.
-[[nodiscard]] std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs);
+/// The same, known before: bytes of the tables that `needs` asks for in a trace by `in_force`. The blocks of leaves,
+/// for which no need asks, come on top.
+[[nodiscard]] std::int64_t cpu_table_bytes(const KdTree& tree, const SceneNeeds& needs,
+                                           CpuMode in_force = CpuMode::scalar);
 
 /// Instruction set that the hot code runs with, chosen when first used ("AVX-512", "AVX2", "SSE4", ...).
 [[nodiscard]] std::string cpu_target_name();

@@ -17,7 +17,7 @@ class Kernel {
   public:
     Kernel(const SceneView& scene_view, const TraceConfig& config, Observer& first)
         : nodes(scene_view.nodes<Node>()), references(scene_view.tree->references.data()),
-          blocks(scene_view.leaf_blocks.blocks.data()), corners(scene_view.scene->triangles.data()),
+          blocks(scene_view.leaf_blocks.data()), corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), short_stack(config.short_stack),
           most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), observer(&first) {}
@@ -28,12 +28,20 @@ class Kernel {
     /// Pending cells of the ray that the walks that follow do not know of: what is told of depths counts them.
     void begin_above(int cells) { pending_before = cells; }
 
-    KD_FN real3 background() const { return scene_background(); }
     KD_FN const LeafBlock* block_at(int place) const { return blocks + place; }
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
+    Light fetch_light(int index) const {
+        if constexpr (requires { observer->on_light(index); }) observer->on_light(index);
+        return view.scene->lights[std::size_t(index)];
+    }
+    int light_count() const { return int(view.scene->lights.size()); }
+    bool shadows_enabled() const { return view.needs.shadows; }
+    real3 scene_background() const { return view.scene->background; }
 
     // Observer; tests/bench/costs_bench.cpp has a twin that tells none.
-#ifndef KD_NO_OBSERVER
+#ifdef KD_NO_OBSERVER
+    KD_FN void on_triangle(int) {}
+#else
     KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
     KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }
@@ -103,23 +111,16 @@ class Kernel {
         const Rgba8 c = view.scene->textures[std::size_t(texture)].at(x, y);
         return real3(c.r, c.g, c.b) / real(255);
     }
-    Light fetch_light(int index) const {
-        if constexpr (requires { observer->on_light(index); }) observer->on_light(index);
-        return view.scene->lights[std::size_t(index)];
-    }
-    int light_count() const { return int(view.scene->lights.size()); }
     int triangle_count() const { return int(view.scene->triangles.size()); }
 
     // Settings.
     bool scene_has_normals() const { return view.needs.normals; }
     bool scene_has_textures() const { return view.needs.textures; }
-    bool shadows_enabled() const { return view.needs.shadows; }
     bool scene_has_highlights() const { return view.needs.highlights; }
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
     bool scene_has_spot_lights() const { return true; }
     real3 scene_ambient() const { return view.scene->ambient; }
-    real3 scene_background() const { return view.scene->background; }
     int step_budget() const { return most_steps; }
 
   public:

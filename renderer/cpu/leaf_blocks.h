@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "renderer/kdtree/tree.h"
@@ -19,18 +20,17 @@ struct alignas(32) LeafBlock {
 };
 static_assert(sizeof(LeafBlock) == 320);
 
-/// The leaf lists of a tree in blocks.
-struct LeafBlocks {
-    std::vector<LeafBlock> blocks;
-    KdTree tree;  // the same nodes; a leaf's link leads to its first block, and there are no references
-
-    LeafBlocks() = default;
-    LeafBlocks(const KdTree& of, const std::vector<Triangle>& triangles);
-
-    [[nodiscard]] bool empty() const { return tree.nodes.size() <= 1 && blocks.empty(); }
-};
-
 /// Blocks that so many triangles take.
 [[nodiscard]] constexpr int blocks_of(int triangles) { return (triangles + block_size - 1) / block_size; }
+
+/// The same nodes; a leaf's link leads to the first of its blocks, which follow each other as the leaves do, and there
+/// are no references.
+[[nodiscard]] KdTree tree_over_blocks(const KdTree& tree);
+
+/// The leaf lists of `tree`, where `over_blocks` has them, made on `threads` threads (0 = all). Empty where stopped
+/// before the end.
+[[nodiscard]] std::vector<LeafBlock> make_leaf_blocks(const KdTree& tree, const KdTree& over_blocks,
+                                                      const std::vector<Triangle>& triangles, int threads = 0,
+                                                      const std::stop_token& stop = {});
 
 }  // namespace kd

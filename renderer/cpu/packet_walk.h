@@ -59,8 +59,7 @@ class PacketWalk {
     int depth_[N];  // pending cells of each lane, where counted
     Pending stack_[max_tree_depth];
 
-    // So few rays are walked one by one.
-    static constexpr int fewest = 1;
+    static constexpr int most_alone = 1;  // rays left in a packet that go on one by one
     static constexpr bool counting = requires(Observer o) { o.counters; };
 
     /// Calls `tell` with every lane of the mask, where there is somebody to tell.
@@ -197,7 +196,7 @@ class PacketWalk {
                 for (unsigned left = next.pushed; left != 0; left &= left - 1) --depth_[std::countr_zero(left)];
             const Mask walking = waiting - (L::load(horizon_) < begin);
             if (walking.none()) continue;
-            if (const unsigned lanes = walking.bits(); std::popcount(lanes) <= fewest) {
+            if (const unsigned lanes = walking.bits(); std::popcount(lanes) <= most_alone) {
                 walk_singly(lanes, next);
                 continue;
             }

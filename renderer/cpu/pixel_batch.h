@@ -81,7 +81,7 @@ class PixelBatch {
         }
     }
 
-    /// shade_path() of every path that goes on.
+    /// shade_path() of every path that goes on: light_surface() with the loop over lights outside.
     void shade(Pass pass) {
         Each<Surface> surface;
         Each<Vec3> total{}, to_viewer;
@@ -89,7 +89,7 @@ class PixelBatch {
         for (std::size_t i = 0; i < std::size_t(count_); ++i) {
             if (!alive_[i]) continue;
             if (path_[i].hit.triangle < 0) {
-                colour_[i] += path_[i].weight * kernel_.background();
+                colour_[i] += path_[i].weight * kernel_.scene_background();
                 continue;
             }
             shaded[i] = true;
@@ -97,7 +97,8 @@ class PixelBatch {
             total[i] = kernel_.ambient_light(surface[i]);
             to_viewer[i] = -kernel_.normalise3(path_[i].ray.direction);
         }
-        for (const Light& light : job_.view.scene->lights) add_light(pass, light, surface, shaded, to_viewer, total);
+        for (int i = 0; i < kernel_.light_count(); ++i)
+            add_light(pass, kernel_.fetch_light(i), surface, shaded, to_viewer, total);
         for (std::size_t i = 0; i < std::size_t(count_); ++i)
             if (shaded[i]) colour_[i] += path_[i].weight * total[i];
     }
@@ -111,7 +112,7 @@ class PixelBatch {
             if (!shaded[i]) continue;
             sample[i] = kernel_.sample_light(light, surface[i].position);
             lit[i] = kernel_.faces_light(surface[i], sample[i]);
-            if (lit[i] && job_.view.needs.shadows) rays.add(int(i), kernel_.shadow_ray(surface[i], sample[i]));
+            if (lit[i] && kernel_.shadows_enabled()) rays.add(int(i), kernel_.shadow_ray(surface[i], sample[i]));
         }
         trace(rays, pass, true);
         for (std::size_t k = 0; k < rays.count; ++k) {

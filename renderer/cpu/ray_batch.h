@@ -54,6 +54,9 @@ class RayBatch {
     }
 
   private:
+    // t at a plane, above which its sums and products may leave single precision (3.4e38).
+    static constexpr float farthest_t = 1e37f;
+
     /// Four rows of four numbers as columns.
     KD_FN static void turn(const std::array<const float*, 4>& row, const std::array<float*, 4>& column) {
 #if HWY_TARGET == HWY_SCALAR
@@ -96,14 +99,15 @@ class RayBatch {
             reciprocal[axis] = L::all(1.0f) / d[axis];
             reciprocal[axis].store(inverse[axis]);
             (magnitude(reciprocal[axis]) * width).store(t_slack[axis]);
-            fine = fine & (magnitude(reciprocal[axis]) * reach <= L::all(1e37f));
+            fine = fine & (magnitude(reciprocal[axis]) * reach <= L::all(farthest_t));
             upwards[axis] = (L::all(0.0f) < reciprocal[axis]).bits();
         }
         set_shear(d, size, reciprocal);
         const L first = L::load(t_min);
         const L last = least(L::all(KD_T_LIMIT), L::load(t_max));
         last.store(t_max);
-        return (fine & (reach <= L::all(8.0f * extent)) & (L::all(0.0f) <= first) & (first < last)).bits();
+        return (fine & (reach <= L::all(Kernel::KD_NEAR_THE_SCENE * extent)) & (L::all(0.0f) <= first) & (first < last))
+            .bits();
     }
 
     KD_FN void set_shear(const L (&d)[3], const L (&size)[3], const L (&reciprocal)[3]) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <type_traits>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct SceneView {
     /// Without any table. Both must outlive this.
     SceneView(const FlatScene& of_scene, const KdTree& of_tree, CpuMode how = CpuMode::scalar);
 
-    /// Makes the tables that `config` needs and lets go of those that it does not.
-    void prepare(const TraceConfig& config);
+    /// Makes the tables that `config` needs, on `threads` threads (0 = all), and lets go of those that it does not.
+    /// False where stopped before the end.
+    bool prepare(const TraceConfig& config, int threads = 0, const std::stop_token& stop = {});
 
     /// The tree's own, or the packed ones where they are needed; of the tree in blocks where leaves are.
     template <class Node>
@@ -28,21 +30,27 @@ struct SceneView {
         if constexpr (std::is_same_v<Node, PackedNode>)
             return packed_nodes.data();
         else
-            return walked_tree().nodes.data();
+            return (in_blocks() ? over_blocks : *tree).nodes.data();
     }
-    [[nodiscard]] const KdTree& walked_tree() const { return in_force == CpuMode::scalar ? *tree : leaf_blocks.tree; }
+    /// Whether leaves are read eight triangles at a time.
+    [[nodiscard]] bool in_blocks() const { return in_force != CpuMode::scalar; }
 
     const FlatScene* scene = nullptr;
     const KdTree* tree = nullptr;
     CpuMode mode = CpuMode::scalar, in_force = CpuMode::scalar;  // as asked for, and what the configuration leaves
     SceneFacts facts;
     SceneNeeds needs;
-    LeafBlocks leaf_blocks;                    // where the mode in force is not scalar
+    std::vector<LeafBlock> leaf_blocks;        // where in_blocks()
+    KdTree over_blocks{{}, {}, {}};            // the tree whose leaves lead to them; no nodes where they are packed
     std::vector<PackedNode> packed_nodes;      // where needed
     std::vector<Triangle> duplicated_corners;  // where needed
     std::vector<Aabb> boxes;                   // where needed
     std::vector<std::int32_t> ropes;           // where needed
     bool optimised_ropes = false;              // which
+
+  private:
+    void let_go(CpuMode before);
+    bool make_blocks(int threads, const std::stop_token& stop);
 };
 
 }  // namespace kd

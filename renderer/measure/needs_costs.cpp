@@ -57,12 +57,13 @@ std::vector<FeatureTime> time_features(const std::vector<Feature>& features, con
 }
 
 std::int64_t feature_bytes(Feature feature, const FlatScene& scene, const KdTree& tree, const SceneFacts& facts,
-                           const TraceConfig& config, bool gl, int width, int height) {
+                           const TraceConfig& config, std::optional<CpuMode> cpu, int width, int height) {
     TraceConfig with = config, without = config;
     with.forced.set(feature, true);
     without.forced.set(feature, false);
     const auto bytes = [&](const SceneNeeds& needs) {
-        return gl ? planned_memory(scene, tree, needs, width, height).total() : cpu_table_bytes(tree, needs);
+        return cpu ? cpu_table_bytes(tree, needs, mode_in_force(*cpu, config))
+                   : planned_memory(scene, tree, needs, width, height).total();
     };
     return bytes(scene_needs(facts, with)) - bytes(stripped(scene_needs(facts, without), info(feature)));
 }

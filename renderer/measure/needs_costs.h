@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "renderer/cpu/cpu_mode.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
 #include "renderer/scene/needs.h"
@@ -35,10 +37,10 @@ using ForcedFrame = std::function<TimeSample(FeatureSet)>;
 [[nodiscard]] std::vector<FeatureTime> time_features(const std::vector<Feature>& features, const ForcedFrame& frame,
                                                      int rounds, const std::function<bool(float)>& progress = {});
 
-/// Bytes of tables and targets that the feature takes, whether it is in use or not. `gl`: of the context's memory for a
-/// picture of width x height; else of the CPU's tables.
+/// Bytes of tables and targets that the feature takes, whether it is in use or not: of the CPU's tables where it traces
+/// in mode `cpu`, else of the context's memory for a picture of width x height.
 [[nodiscard]] std::int64_t feature_bytes(Feature feature, const FlatScene& scene, const KdTree& tree,
-                                         const SceneFacts& facts, const TraceConfig& config, bool gl, int width,
-                                         int height);
+                                         const SceneFacts& facts, const TraceConfig& config, std::optional<CpuMode> cpu,
+                                         int width, int height);
 
 }  // namespace kd

@@ -60,12 +60,15 @@ KD_FN real limited_end(real t_max)
     return IS_NAN(t_max) ? t_max : min(t_max, KD_T_LIMIT);
 }
 
+// Extents of the scene between a ray's origin and its farthest corner, above which it starts later.
+KD_CONST(real) KD_NEAR_THE_SCENE = real(8);
+
 /// How much later a ray may start: 0 near the scene; from far away, to about twice the scene's extent before it. At a
 /// distance, single precision resolves neither triangles nor cells, and every cell would count as touched.
 KD_FN real shift_towards(IN(Ray) ray, real3 lower, real3 upper, real reach)
 {
     real extent = (upper.x - lower.x) + (upper.y - lower.y) + (upper.z - lower.z);
-    if (!(reach > real(8) * extent) || !valid_ray(ray)) return real(0);
+    if (!(reach > KD_NEAR_THE_SCENE * extent) || !valid_ray(ray)) return real(0);
     real largest = max_component(abs(ray.direction));
     real3 direction = scale3(ray.direction, quotient(real(1), largest));
     real3 to_centre = scale3(lower + upper, real(0.5)) - ray.origin;

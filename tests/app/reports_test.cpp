@@ -86,33 +86,11 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json rows = json::parse(outcome.out);
     ASSERT_EQ(rows.size(), traversals().size());
-    const std::set<std::string> agreed{"scene",
-                                       "tracer",
-                                       "traversal",
-                                       "builder",
-                                       "width",
-                                       "height",
-                                       "rays",
-                                       "ms_median",
-                                       "ms_p25",
-                                       "ms_p75",
-                                       "mrays_per_s",
-                                       "clock",
-                                       "renderer",
-                                       "build_ms",
-                                       "counters",
-                                       "rounds",
-                                       "of_first",
-                                       "passes",
-                                       "clock_discrepancy",
-                                       "upload_ms",
-                                       "compile_ms",
-                                       "measured_on",
-                                       "nodes",
-                                       "ray_type",
-                                       "packet",
-                                       "instructions",
-                                       "leaf_block"};
+    const std::set<std::string> agreed{
+        "scene",    "tracer", "traversal",         "builder",   "width",      "height",    "rays",        "ms_median",
+        "ms_p25",   "ms_p75", "mrays_per_s",       "clock",     "renderer",   "build_ms",  "counters",    "rounds",
+        "of_first", "passes", "clock_discrepancy", "upload_ms", "compile_ms", "tables_ms", "measured_on", "nodes",
+        "ray_type", "packet", "instructions",      "leaf_block"};
     for (const json& row : rows) {
         std::set<std::string> keys;
         for (const auto& [key, value] : row.items()) keys.insert(key);
@@ -130,6 +108,7 @@ TEST(Bench, RowsHaveTheAgreedKeys) {
     EXPECT_EQ(rows[0]["rounds"], 3);
     EXPECT_LT(rows[1]["of_first"]["confidence"], 0.95) << "three rounds are too few";
     EXPECT_TRUE(rows[0]["upload_ms"].is_null()) << "the CPU uploads nothing";
+    EXPECT_GE(rows[0]["tables_ms"], 0.0);
     EXPECT_FALSE(rows[0]["measured_on"]["commit"].get<std::string>().empty());
     EXPECT_EQ(rows[0]["traversal"], "naive");
     EXPECT_EQ(rows[0]["counters"]["leaves"], 0);

@@ -1,11 +1,13 @@
 #include "tests/bench/twin_walks.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 
-#include "renderer/cpu/tile_job.h"
+#include "renderer/cpu/targets.h"
 #include "renderer/trace/observer.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/twin_walks.cpp"
 #include <hwy/foreach_target.h>
@@ -19,13 +21,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace kd::HWY_NAMESPACE {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 namespace whole {
 #include "renderer/cpu/kernel.h"
 }  // namespace whole
 
 #define KD_NO_OBSERVER
 #define on_leaf(...) void()
-#define on_triangle(...) void()
 #define on_push(...) void()
 #define on_restart(...) void()
 #define on_backtrack(...) void()
@@ -48,26 +51,43 @@ namespace no_budget {
 #undef on_backtrack
 #undef on_restart
 #undef on_push
-#undef on_triangle
 #undef on_leaf
 #undef KD_NO_OBSERVER
 
-template <class Kernel>
-void walk(const SceneView& view, const TraceConfig& config, std::span<const Ray> rays, std::span<Hit> hits) {
-    NullObserver observer;
-    Kernel kernel(view, config, observer);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits[i] = kernel.no_hit(rays[i]);
-        kernel.traverse(rays[i], false, hits[i]);
+// Each uses the ones before it.
+// clang-format off
+#include "renderer/cpu/lanes.h"
+#include "renderer/cpu/lane_test.h"
+#include "renderer/cpu/block_test.h"
+#include "renderer/cpu/ray_batch.h"
+#include "renderer/cpu/packet_walk.h"
+#include "renderer/cpu/batch_trace.h"
+#include "renderer/cpu/pixel_batch.h"
+#include "renderer/cpu/pixel.h"
+#include "renderer/cpu/run_jobs.h"
+#include "renderer/cpu/run_batches.h"
+// clang-format on
+
+template <class Single, class InBlocks>
+void walk(const RayJob& job) {
+    switch (job.view.in_force) {
+        case CpuMode::scalar: return run_on<Single, NullObserver>(job);
+        case CpuMode::wide: return run_batches<InBlocks, NullObserver, block_size>(job);
+        case CpuMode::packet: return run_batches<InBlocks, NullObserver, 16>(job);
     }
 }
 
-void TraceTwin(Twin twin, const SceneView& view, const TraceConfig& config, std::span<const Ray> rays,
-               std::span<Hit> hits) {
+template <template <class, Rules, class, class> class Kernel, class Single>
+void walk_by(const RayJob& job) {
+    walk<Kernel<NullObserver, Rules::robust, TreeNode, Single>,
+         Kernel<NullObserver, Rules::robust, TreeNode, BlockTests>>(job);
+}
+
+void TraceTwin(Twin twin, const RayJob& job) {
     switch (twin) {
-        case Twin::whole: return walk<whole::Kernel<NullObserver, Rules::robust>>(view, config, rays, hits);
-        case Twin::no_hooks: return walk<no_hooks::Kernel<NullObserver, Rules::robust>>(view, config, rays, hits);
-        case Twin::no_budget: return walk<no_budget::Kernel<NullObserver, Rules::robust>>(view, config, rays, hits);
+        case Twin::whole: return walk_by<whole::Kernel, whole::SingleTests>(job);
+        case Twin::no_hooks: return walk_by<no_hooks::Kernel, no_hooks::SingleTests>(job);
+        case Twin::no_budget: return walk_by<no_budget::Kernel, no_budget::SingleTests>(job);
     }
 }
 
@@ -79,10 +99,7 @@ namespace kd {
 
 HWY_EXPORT(TraceTwin);
 
-void trace_twin(Twin twin, const SceneView& view, const TraceConfig& config, std::span<const Ray> rays,
-                std::span<Hit> hits) {
-    HWY_DYNAMIC_DISPATCH(TraceTwin)(twin, view, config, rays, hits);
-}
+void trace_twin(Twin twin, const RayJob& job) { HWY_DYNAMIC_DISPATCH(TraceTwin)(twin, job); }
 
 }  // namespace kd
 #endif

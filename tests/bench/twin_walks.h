@@ -1,10 +1,7 @@
 // Twins of the program's stack traversal: the same text, without what shall cost nothing.
 #pragma once
 
-#include <span>
-
-#include "renderer/cpu/scene_view.h"
-#include "renderer/trace/trace_config.h"
+#include "renderer/cpu/tile_job.h"
 
 namespace kd {
 
@@ -14,8 +11,8 @@ enum class Twin {
     no_budget,  // nor are steps counted
 };
 
-/// Nearest hits by the stack under robust rules, single rays, with the widest instruction set, as CpuTracer does it.
-void trace_twin(Twin twin, const SceneView& view, const TraceConfig& config, std::span<const Ray> rays,
-                std::span<Hit> hits);
+/// Nearest hits by the stack under robust rules over nodes of 16 bytes, uncounted, on this thread, with the widest
+/// instruction set, in the mode that the job's view has in force, as CpuTracer does it.
+void trace_twin(Twin twin, const RayJob& job);
 
 }  // namespace kd

@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <set>
 
 #include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/leaf_blocks.h"
 #include "renderer/kdtree/build.h"
+#include "renderer/kdtree/encode.h"
 #include "renderer/kdtree/sah.h"
 #include "renderer/scene/procedural.h"
 #include "renderer/trace/counters.h"
+#include "tests/support/instruction_sets.h"
 
 namespace kd {
 namespace {
@@ -18,17 +22,18 @@ namespace {
 TEST(LeafBlocks, HoldEachLeafsTrianglesAndRepeatTheLast) {
     const FlatScene scene = flatten(*make_procedural("scatter:300"));
     const KdTree tree = build_tree(scene.triangles, {.leaf_size = 20, .leaf_block = block_size});
-    const LeafBlocks made(tree, scene.triangles);
-    ASSERT_EQ(made.tree.nodes.size(), tree.nodes.size());
+    const KdTree over = tree_over_blocks(tree);
+    const std::vector<LeafBlock> made = make_leaf_blocks(tree, over, scene.triangles, 2);
+    ASSERT_EQ(over.nodes.size(), tree.nodes.size());
     std::size_t blocks = 0;
     for (std::size_t node = 0; node < tree.nodes.size(); ++node) {
         const TreeNode& leaf = tree.nodes[node];
         if (!leaf.is_leaf()) continue;
-        ASSERT_EQ(made.tree.nodes[node].count, leaf.count);
-        ASSERT_EQ(made.tree.nodes[node].link, std::int32_t(blocks));
+        ASSERT_EQ(over.nodes[node].count, leaf.count);
+        ASSERT_EQ(over.nodes[node].link, std::int32_t(blocks));
         for (int i = 0; i < blocks_of(leaf.count) * block_size; ++i) {
             const std::int32_t number = tree.references[std::size_t(leaf.link + std::min(i, leaf.count - 1))];
-            const LeafBlock& block = made.blocks[blocks + std::size_t(i / block_size)];
+            const LeafBlock& block = made[blocks + std::size_t(i / block_size)];
             const auto lane = std::size_t(i % block_size);
             EXPECT_EQ(block.triangle[lane], number);
             for (std::size_t corner = 0; corner < 3; ++corner)
@@ -38,7 +43,46 @@ TEST(LeafBlocks, HoldEachLeafsTrianglesAndRepeatTheLast) {
         }
         blocks += std::size_t(blocks_of(leaf.count));
     }
-    EXPECT_EQ(made.blocks.size(), blocks);
+    EXPECT_EQ(made.size(), blocks);
+}
+
+class LeafBlockTables : public testing::Test {
+  protected:
+    const FlatScene scene = flatten(*make_procedural("ball:300"));
+    const KdTree tree = build_tree(scene.triangles, {.leaf_block = block_size});
+    const std::size_t blocks = make_leaf_blocks(tree, tree_over_blocks(tree), scene.triangles).size();
+    CpuTracer tracer{scene, tree, CpuMode::wide};
+
+    /// Of `config`, as made, as known before, and as they should be.
+    void expect_bytes(const TraceConfig& config, std::size_t of_a_node) {
+        EXPECT_TRUE(tracer.prepare(config));
+        const auto in_blocks = std::int64_t(blocks * sizeof(LeafBlock));
+        EXPECT_EQ(tracer.table_bytes(), in_blocks + std::int64_t(tree.nodes.size() * of_a_node));
+        const SceneNeeds needs = scene_needs(scene_facts(scene, tree), config);
+        EXPECT_EQ(cpu_table_bytes(tree, needs, CpuMode::wide), tracer.table_bytes() - in_blocks);
+    }
+};
+
+TEST_F(LeafBlockTables, AreCountedAndNothingStandsTwice) {
+    expect_bytes({}, sizeof(TreeNode));
+    expect_bytes({.leaf_lists = LeafLists::duplicated}, sizeof(TreeNode));  // blocks are copies
+    expect_bytes({.nodes = NodeEncoding::packed}, sizeof(PackedNode));
+    expect_bytes({.traversal = Traversal::restart, .nodes = NodeEncoding::packed}, sizeof(PackedNode));
+    expect_bytes({}, sizeof(TreeNode));
+    tracer.prepare({.rules = Rules::as_published});  // a triangle at a time
+    EXPECT_EQ(tracer.table_bytes(), 0);
+}
+
+TEST_F(LeafBlockTables, CanBeStoppedAndAskedForAgain) {
+    std::stop_source stopped;
+    stopped.request_stop();
+    const std::vector<Ray> ray{{scene.camera.eye, scene.camera.target - scene.camera.eye, 0.0f, KD_T_LIMIT, -1}};
+    std::vector<Hit> hit(1), expected(1);
+    EXPECT_FALSE(tracer.prepare({}, 1, stopped.get_token()));
+    EXPECT_FALSE(tracer.trace_rays({}, ray, false, hit, {}, 1, stopped.get_token()));
+    EXPECT_TRUE(tracer.trace_rays({}, ray, false, hit, {}, 1));
+    CpuTracer(scene, tree).trace_rays({}, ray, false, expected, {}, 1);
+    EXPECT_TRUE(bit_equal(hit[0], expected[0]));
 }
 
 TEST(LeafBlocks, ATestIsPaidForEachBlock) {
@@ -120,10 +164,26 @@ TEST_P(WidePacket, AnswersAndCountsAsTheSharedTextDoes) {
                     }
                 };
                 SCOPED_TRACE(testing::Message() << "blocks of " << block << ", any hit " << any_hit);
-                expect_the_same(wide);
-                for (config.packet_size = 4; config.packet_size <= 16; config.packet_size *= 2) expect_the_same(packet);
+                test::on_each_instruction_set([&] {
+                    expect_the_same(scalar);
+                    expect_the_same(wide);
+                    for (const int size : {4, 8, 16}) {
+                        SCOPED_TRACE(testing::Message() << "packets of " << size);
+                        config.packet_size = size;
+                        expect_the_same(packet);
+                    }
+                });
             }
     }
+}
+
+TEST(WidePackets, RunWithEveryInstructionSet) {
+    std::set<std::string> names;
+    const std::string best = cpu_target_name();
+    test::on_each_instruction_set([&] { names.insert(cpu_target_name()); });
+    EXPECT_EQ(names.size(), hwy::SupportedAndGeneratedTargets().size());
+    EXPECT_TRUE(names.contains(best));
+    EXPECT_EQ(cpu_target_name(), best);
 }
 
 TEST(WidePackets, OtherWalksAndRulesComeToWhatTheyCan) {

@@ -161,7 +161,8 @@ TEST_P(NeedsGl, UploadsAreWhatIsReported) {
         };
         const std::int64_t without = memory({});
         for (const Feature feature : removable(facts, trace, false)) {
-            EXPECT_EQ(memory(feature) - without, feature_bytes(feature, scene, tree, facts, trace, true, width, height))
+            EXPECT_EQ(memory(feature) - without,
+                      feature_bytes(feature, scene, tree, facts, trace, std::nullopt, width, height))
                 << info(feature).name;
             EXPECT_EQ(memory({}), without) << info(feature).name << " was let go";
         }
@@ -175,7 +176,7 @@ TEST(NeedsBytes, OfTheCpusTables) {
     CpuTracer tracer(scene, tree);
     for (const Feature feature : removable(facts, {}, true)) {
         tracer.prepare({.forced = feature});
-        EXPECT_EQ(tracer.table_bytes(), feature_bytes(feature, scene, tree, facts, {}, false, width, height))
+        EXPECT_EQ(tracer.table_bytes(), feature_bytes(feature, scene, tree, facts, {}, CpuMode::scalar, width, height))
             << info(feature).name;
     }
     tracer.prepare({});
@@ -183,7 +184,7 @@ TEST(NeedsBytes, OfTheCpusTables) {
     TraceConfig packed{.nodes = NodeEncoding::packed};
     tracer.prepare(packed);
     EXPECT_EQ(tracer.table_bytes(), std::int64_t(8 * tree.nodes.size()));
-    EXPECT_EQ(feature_bytes(Feature::wide_nodes, scene, tree, facts, packed, false, width, height),
+    EXPECT_EQ(feature_bytes(Feature::wide_nodes, scene, tree, facts, packed, CpuMode::scalar, width, height),
               -tracer.table_bytes())
         << "the tree's own nodes have 16 bytes: on the CPU those of 8 are a table more";
     packed.forced = Feature::wide_nodes;
