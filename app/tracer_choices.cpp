@@ -15,7 +15,10 @@ std::string summary_of(TracerKind tracer) {
         case gl_fragment:
             return "The shared text as GLSL: RTPrim, ShadePrim, RTRefl and ShadeRefl draw one quad each, with the tree "
                    "in textures.";
-        case gl_compute: return "The same four passes as compute shaders, with the tree in storage buffers.";
+        case gl_compute:
+            return "The same four passes as compute shaders, with the tree in the same textures "
+                   "(KDSCOPE_COMPUTE=storage "
+                   "puts it into storage buffers).";
         case gl_wavefront:
             return "Small kernels with the state of every ray in buffers (Purcell et al. 2002): the design that the "
                    "paper argues against.";
@@ -45,6 +48,11 @@ std::string why_idle(TracerChoice choice, TracerKind tracer) {
             return fmt::format("{} keeps leaves in blocks of its own; --tracer cpu would use it", name_of(tracer));
     }
     return "";
+}
+
+std::string why_no_walk(TracerKind tracer, const TraceConfig& config) {
+    if (runs_on_cpu(tracer) || has_walk(gl_mode(tracer), config)) return "";
+    return fmt::format("{} walks step by step: down the tree, under robust rules", name_of(tracer));
 }
 
 }  // namespace kd

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/session.h"
+#include "renderer/trace/trace_config.h"
 
 namespace kd {
 
@@ -16,5 +17,8 @@ enum class TracerChoice { threads, context, early_z, count_shaded, packet, leaf_
 
 /// Why `choice` changes nothing where this tracer traces, with the remedy; empty where it does.
 [[nodiscard]] std::string why_idle(TracerChoice choice, TracerKind tracer);
+
+/// Why this tracer refuses to trace by the walk of `config`; empty where it does not.
+[[nodiscard]] std::string why_no_walk(TracerKind tracer, const TraceConfig& config);
 
 }  // namespace kd

@@ -13,6 +13,7 @@
 #include "app/commands/bench_peers.h"
 #include "app/commands/commands.h"
 #include "app/frame/counted_frame.h"
+#include "app/frame/open_or_note.h"
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
@@ -38,71 +39,97 @@ std::vector<OpenTracer> open_tracers(const BenchOptions& options, BenchScene& be
     std::vector<OpenTracer> tracers;
     const GlChoices gl{.context = options.context.value_or(ContextKind::automatic), .early_z = bench.session.early_z};
     for (const TracerKind kind : wanted_tracers(options)) {
-        try {
+        const auto open = [&] {
             tracers.emplace_back(kind, make_frame_tracer(kind, bench.scene, bench.tree, bench.session.threads, gl));
-        } catch (const ContextError& error) {
-            if (options.tracer || options.context) throw;
-            bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), error.what()));
-        } catch (const InputError& error) {
-            if (options.tracer) throw;
-            bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), error.what()));
-        }
+        };
+        open_or_note({options.tracer.has_value(), options.context.has_value()}, open, [&](const std::string& why) {
+            bench.notes.push_back(fmt::format("{} left out: {}", name_of(kind), why));
+        });
     }
     return tracers;
+}
+
+std::vector<Traversal> walks_of(const BenchOptions& options, TracerKind kind) {
+    return wanted_walks(options, kind, options.naive);
+}
+
+/// What one tracer is about to be timed with.
+struct Walk {
+    TracerKind kind;
+    FrameTracer& tracer;
+    TraceConfig config;
+    std::string name;  // "ball:9000: stack on cpu"
+};
+
+/// The row of a walk with all but its times: counters, and what the tracer made before its first frame. None where it
+/// refuses, with a note unless the walk was asked for.
+std::optional<BenchRow> first_frames(const BenchOptions& options, const Walk& walk, BenchScene& bench,
+                                     CommandContext& context) {
+    const Session& s = bench.session;
+    BenchRow row;
+    row.tracer = walk.kind;
+    row.traversal = walk.config.traversal;
+    row.nodes = nodes_in_force(walk.config);
+    row.renderer = walk.tracer.renderer();
+    row.software_gl = walk.tracer.software_gl();
+    try {
+        // Counters come from a frame of their own: counting is not free.
+        const auto frame = trace_counted(walk.tracer, walk.config, bench.camera, s.width, s.height, context.stop);
+        check_stop(context);
+        row.counters = sum_of(pass_totals(frame.value(), bench.rays));
+        note_unfinished(*frame, walk.name, bench.notes);
+    } catch (const InputError& error) {
+        if (options.traversal) throw;
+        bench.notes.push_back(fmt::format("{} left out: {}", walk.name, error.what()));
+        return std::nullopt;
+    }
+    row.clock = walk.tracer.clock();
+    TraceConfig config = walk.config;
+    config.counters = false;
+    walk.tracer.prepare(config, s.width, s.height);
+    // The first draw ends what the compiler began.
+    walk.tracer.trace(config, bench.camera, s.width, s.height, context.stop);
+    check_stop(context);
+    row.setup = walk.tracer.setup();
+    return row;
+}
+
+/// Times a frame of the walk, without counters.
+Contestant contestant_of(const Walk& walk, const BenchScene& bench, ProgressLine& progress,
+                         const CommandContext& context) {
+    TraceConfig config = walk.config;
+    config.counters = false;
+    return {walk.name, [&bench, &progress, &context, tracer = &walk.tracer, config, name = walk.name] {
+                const Session& s = bench.session;
+                check_stop(context);
+                progress.show(0.0f, name);
+                const FrameTime time = tracer->trace(config, bench.camera, s.width, s.height, context.stop);
+                check_stop(context);
+                return time.sample();
+            }};
 }
 
 void measure(const BenchOptions& options, BenchScene& bench, CommandContext& context) {
     const Session& s = bench.session;
     if (s.early_z == EarlyZ::as_published)
         bench.notes.emplace_back("gl-fragment with early z as published: it culls no pixel");
-    auto tracers = open_tracers(options, bench);
-    const auto walks = [&](TracerKind kind) { return wanted_walks(options, kind, options.naive); };
+    const std::vector<OpenTracer> tracers = open_tracers(options, bench);
     std::size_t pairs = 0;
-    for (const auto& [kind, tracer] : tracers) pairs += walks(kind).size();
+    for (const auto& [kind, tracer] : tracers) pairs += walks_of(options, kind).size();
     tell_work(context,
               fmt::format("timing {}: {} by {}, {} of each", s.scene, counted(pairs, "walk"),
                           counted(tracers.size(), "tracer"), counted(options.warmup + options.rounds, "frame")));
     ProgressLine progress(context);
     std::vector<Contestant> contestants;
-    for (auto& [kind, tracer] : tracers)
-        for (const Traversal traversal : walks(kind)) {
-            TraceConfig config = s.trace;
-            config.traversal = traversal;
-            const std::string name = fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind));
-            BenchRow row;
-            row.tracer = kind;
-            row.traversal = traversal;
-            row.nodes = nodes_in_force(config);
-            row.renderer = tracer->renderer();
-            row.software_gl = tracer->software_gl();
-            try {
-                // Counters come from a frame of their own: counting is not free.
-                const auto frame = trace_counted(*tracer, config, bench.camera, s.width, s.height, context.stop);
-                check_stop(context);
-                row.counters = sum_of(pass_totals(frame.value(), bench.rays));
-                note_unfinished(*frame, name, bench.notes);
-            } catch (const InputError& error) {
-                if (options.traversal) throw;
-                bench.notes.push_back(fmt::format("{} left out: {}", name, error.what()));
-                continue;
+    for (const auto& [kind, tracer] : tracers)
+        for (const Traversal traversal : walks_of(options, kind)) {
+            Walk walk{kind, *tracer, s.trace,
+                      fmt::format("{}: {} on {}", s.scene, info(traversal).name, name_of(kind))};
+            walk.config.traversal = traversal;
+            if (std::optional<BenchRow> row = first_frames(options, walk, bench, context)) {
+                bench.rows.push_back(std::move(*row));
+                contestants.push_back(contestant_of(walk, bench, progress, context));
             }
-            check_stop(context);
-            row.clock = tracer->clock();
-            config.counters = false;
-            tracer->prepare(config, s.width, s.height);
-            // The first draw ends what the compiler began.
-            tracer->trace(config, bench.camera, s.width, s.height, context.stop);
-            check_stop(context);
-            row.setup = tracer->setup();
-            bench.rows.push_back(std::move(row));
-            contestants.push_back({name, [&, tracer = tracer.get(), config, name] {
-                                       check_stop(context);
-                                       progress.show(0.0f, name);
-                                       const FrameTime time =
-                                           tracer->trace(config, bench.camera, s.width, s.height, context.stop);
-                                       check_stop(context);
-                                       return time.sample();
-                                   }});
         }
     const std::vector<TimedRounds> times =
         time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});

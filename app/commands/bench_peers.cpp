@@ -61,6 +61,50 @@ void add_peers(const std::vector<std::unique_ptr<PeerTracer>>& peers, std::vecto
                                }});
 }
 
+PeersScene open_peers(const CommonOptions& options, const PeerBenchOptions& how, const std::string& name) {
+    PeersScene peers;
+    peers.session = options.session_for(name);
+    peers.session.trace.traversal = Traversal::stack;
+    peers.session.threads = how.threads;
+    peers.scene = open_scene(options, peers.session);
+    peers.peers = peers_version();
+    return peers;
+}
+
+/// The tree that is asked for, and those in which cpu-wide and cpu-packet are at their best.
+std::vector<Tracers> build_trees(const CommonOptions& options, PeersScene& peers, CommandContext& context) {
+    const Session& s = peers.session;
+    std::vector<Tracers> trees;
+    PeersTree asked{s.build, s.trace.nodes};
+    trees.push_back(build("asked", asked, peers, context));
+    for (const TracerKind kind : {TracerKind::cpu_wide, TracerKind::cpu_packet}) {
+        PeersTree suited{suited_tree(cpu_mode(kind), s.build), s.trace.nodes};
+        if (kind == TracerKind::cpu_packet && !options.nodes) suited.nodes = NodeEncoding::packed;
+        trees.push_back(build(std::string(name_of(kind)), suited, peers, context));
+    }
+    return trees;
+}
+
+void time_all(const CommonOptions& options, const PeerBenchOptions& how, PeersScene& peers, ProgressLine& progress,
+              CommandContext& context) {
+    const Session& s = peers.session;
+    std::vector<Tracers> trees = build_trees(options, peers, context);
+    const auto rivals = make_peers(peers.scene);
+    check_stop(context);
+    std::vector<RayContestant> contestants;
+    add_peers(rivals, contestants);
+    for (Tracers& over : trees)
+        for (const TracerKind kind : wanted_tracers(options))
+            if (runs_on_cpu(kind) && (over.name == "asked" || over.name == name_of(kind)))
+                add_own(peers, kind, over, contestants);
+    const std::vector<BenchRays> rays = bench_rays(peers.scene, trees.front().tree, s.width, s.height, s.seed);
+    const auto tell = [&](const std::string& running) {
+        check_stop(context);
+        progress.show(0, fmt::format("{}: {}", s.scene, running));
+    };
+    peers.result = bench_tracers(rays, contestants, {how.timing, how.threads, tell});
+}
+
 }  // namespace
 
 void check_peers(const CommonOptions& options) {
@@ -74,43 +118,15 @@ void check_peers(const CommonOptions& options) {
 
 bool bench_peers(const CommonOptions& options, const PeerBenchOptions& how, const std::string& name, Json& json,
                  CommandContext& context) {
-    PeersScene peers;
-    peers.session = options.session_for(name);
-    Session& s = peers.session;
-    s.trace.traversal = Traversal::stack;
-    s.threads = how.threads;
-    peers.scene = open_scene(options, s);
-    peers.peers = peers_version();
+    PeersScene peers = open_peers(options, how, name);
     const std::string what = fmt::format("timing {} against {}", name, peers.peers);
     tell_work(context, what);
-    ProgressLine progress(context);
-    progress.show(0, what);
-
-    // The tree that is asked for, and those in which cpu-wide and cpu-packet are at their best.
-    std::vector<Tracers> trees;
-    PeersTree asked{s.build, s.trace.nodes};
-    trees.push_back(build("asked", asked, peers, context));
-    for (const TracerKind kind : {TracerKind::cpu_wide, TracerKind::cpu_packet}) {
-        PeersTree suited{suited_tree(cpu_mode(kind), s.build), s.trace.nodes};
-        if (kind == TracerKind::cpu_packet && !options.nodes) suited.nodes = NodeEncoding::packed;
-        trees.push_back(build(std::string(name_of(kind)), suited, peers, context));
+    {
+        ProgressLine progress(context);
+        progress.show(0, what);
+        time_all(options, how, peers, progress, context);
     }
-    const auto rivals = make_peers(peers.scene);
-    check_stop(context);
-    std::vector<RayContestant> contestants;
-    add_peers(rivals, contestants);
-    for (Tracers& over : trees)
-        for (const TracerKind kind : wanted_tracers(options))
-            if (runs_on_cpu(kind) && (over.name == "asked" || over.name == name_of(kind)))
-                add_own(peers, kind, over, contestants);
-    const std::vector<BenchRays> rays = bench_rays(peers.scene, trees.front().tree, s.width, s.height, s.seed);
-    const auto tell = [&](const std::string& running) {
-        check_stop(context);
-        progress.show(0, fmt::format("{}: {}", name, running));
-    };
-    peers.result = bench_tracers(rays, contestants, {how.timing, how.threads, tell});
-    progress.wipe();
-    peers.on = measured_on(in_scene_units(s, peers.scene), {"scene", "tracer", "traversal"});
+    peers.on = measured_on(in_scene_units(peers.session, peers.scene), {"scene", "tracer", "traversal"});
     if (how.json)
         for (Json& row : peers_json(peers)) json.push_back(std::move(row));
     else

@@ -184,7 +184,8 @@ CommandBody declare(CLI::App& app) {
 
 Command stability_command() {
     return {
-        "stability", "Runs the cases that break ray tracers, on every traversal and tracer",
+        "stability", "Runs the cases that break ray tracers, by every traversal, on the CPU and on OpenGL",
+        "gl-compute and gl-wavefront take part where --tracer, --case or --long is given.\n"
         "Each case has its construction, its oracle and what is accepted (--list). A mismatch is a hit, distance or\n"
         "barycentric that differs from brute force in any bit, or what the case itself forbids. Exit code 1 where\n"
         "any case fails. 'worst ulp' is how far a hit's t is from the plane of its triangle, in units in the last "

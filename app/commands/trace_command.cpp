@@ -12,6 +12,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/progress_line.h"
 #include "app/commands/commands.h"
+#include "app/frame/open_or_note.h"
 #include "app/report/trace_check.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
@@ -59,23 +60,17 @@ using OpenTracers = std::vector<std::pair<TracerKind, std::unique_ptr<RayMachine
 OpenTracers open_tracers(const TraceOptions& options, const FlatScene& scene, const KdTree& tree,
                          CommandContext& context) {
     OpenTracers tracers;
-    const auto leave_out = [&](TracerKind kind, const std::exception& error) {
-        context.err << fmt::format("kdscope: left out {}: {}\n", name_of(kind), error.what());
-    };
     for (const TracerKind kind : wanted_tracers(options)) {
-        try {
+        const auto open = [&] {
             std::unique_ptr<RayMachine> machine =
                 runs_on_cpu(kind) ? cpu_machine(options.session.threads, cpu_mode(kind))
                                   : gl_machine(options.context.value_or(ContextKind::automatic), gl_mode(kind));
             machine->load(scene, tree);
             tracers.emplace_back(kind, std::move(machine));
-        } catch (const ContextError& error) {
-            if (options.tracer || options.context) throw;
-            leave_out(kind, error);
-        } catch (const InputError& error) {
-            if (options.tracer) throw;
-            leave_out(kind, error);
-        }
+        };
+        open_or_note({options.tracer.has_value(), options.context.has_value()}, open, [&](const std::string& why) {
+            context.err << fmt::format("kdscope: left out {}: {}\n", name_of(kind), why);
+        });
     }
     return tracers;
 }

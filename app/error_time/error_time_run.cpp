@@ -8,9 +8,9 @@
 #include "app/cli/command.h"
 #include "app/frame/counted_frame.h"
 #include "app/frame/frame_tracer.h"
+#include "app/frame/open_or_note.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
-#include "renderer/geometry/input_error.h"
 #include "renderer/measure/double_path.h"
 #include "renderer/scene/needs.h"
 
@@ -37,17 +37,13 @@ struct Machines {
     std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> all;
 
     Machines(const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result) {
-        for (const TracerKind kind : config.tracers) {
-            try {
-                add(kind, config, opened, tree);
-            } catch (const ContextError& error) {
-                if (config.gl_demanded) throw;
-                result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), error.what())});
-            } catch (const InputError& error) {
-                if (config.gl_demanded) throw;
-                result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), error.what())});
-            }
-        }
+        const AskedFor asked{config.gl_demanded, config.gl_demanded};
+        for (const TracerKind kind : config.tracers)
+            open_or_note(
+                asked, [&] { add(kind, config, opened, tree); },
+                [&](const std::string& why) {
+                    result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), why)});
+                });
     }
 
   private:

@@ -50,8 +50,14 @@ void draw_walk_choices(const EngineState& state, TraceConfig& trace) {
 void draw_traversal(const EngineState& state, Edit& edit) {
     TraceConfig& trace = edit.session.trace;
     const TraversalInfo& walk = info(trace.traversal);
+    std::vector<widgets::Option> options = widgets::options_of(traversals());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        TraceConfig chosen = trace;
+        chosen.traversal = Traversal(i);
+        options[i].missing = why_no_walk(edit.session.tracer, chosen);
+    }
     int index = int(trace.traversal);
-    if (widgets::choice("traversal", index, widgets::options_of(traversals()),
+    if (widgets::choice("traversal", index, options,
                         fmt::format("How a ray walks the tree. Key T: the next. Option --traversal.\n\n{}\n\n{}",
                                     walk.paragraph, walk.source)))
         trace.traversal = Traversal(index);
@@ -78,10 +84,8 @@ void draw_packet_size(TraceConfig& trace) {
 
 void draw_tracer(const EngineState& state, Edit& edit) {
     const std::string why = state.gl.known && !state.gl.available() ? state.gl.unavailable : "";
-    const bool robust = rules_in_force(edit.session.trace) == Rules::robust;
-    const auto why_missing = [&](TracerKind tracer) -> std::string {
-        if (runs_on_cpu(tracer)) return "";
-        return why.empty() && tracer == TracerKind::gl_wavefront && !robust ? "it walks by robust rules alone" : why;
+    const auto why_missing = [&](TracerKind tracer) {
+        return runs_on_cpu(tracer) || why.empty() ? why_no_walk(tracer, edit.session.trace) : why;
     };
     std::vector<widgets::Option> options;
     for (const NamedValue<TracerKind>& tracer : choices::tracers())
@@ -143,9 +147,11 @@ void draw_early_z(Edit& edit) {
 void draw_rules(Edit& edit) {
     TraceConfig& trace = edit.session.trace;
     std::vector<widgets::Option> options = widgets::options_of(all_rules());
-    for (std::size_t i = 0; i < options.size(); ++i)
-        if (edit.session.tracer == TracerKind::gl_wavefront && Rules(i) != Rules::robust)
-            options[i].missing = "gl-wavefront walks by robust rules alone";
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        TraceConfig chosen = trace;
+        chosen.rules = Rules(i);
+        options[i].missing = why_no_walk(edit.session.tracer, chosen);
+    }
     int index = int(trace.rules);
     if (widgets::choice("rules", index, options,
                         widgets::tip_of("How a walk decides between children and goes on. Published rules lose rays "

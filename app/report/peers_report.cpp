@@ -15,7 +15,6 @@ namespace {
 
 Json json_of(const PeersScene& peers, const RayBenchRow& row) {
     const TimeSummary time = row.timed.total();
-    const bool spin = row.rays == 0;
     const bool own = !row.is_peer();
     const PeersTree tree = own ? peers.trees.at(row.tree) : PeersTree{};
     Json speeds = Json::object();
@@ -34,12 +33,12 @@ Json json_of(const PeersScene& peers, const RayBenchRow& row) {
               {"height", peers.session.height},
               {"rays", row.rays},
               {"hits", row.hits},
-              {"differ", spin ? Json(nullptr) : Json(row.differ)},
+              {"differ", row.spin ? Json(nullptr) : Json(row.differ)},
               {"ms_median", time.median_ms},
               {"ms_p25", time.p25_ms},
               {"ms_p75", time.p75_ms},
               {"rounds", time.samples},
-              {"mrays_per_s", spin ? Json(nullptr) : Json(row.mrays_per_s())},
+              {"mrays_per_s", row.spin ? Json(nullptr) : Json(row.mrays_per_s())},
               {"speed_of", speeds},
               {"gain", row.gain ? kd::json_of(*row.gain) : Json(nullptr)},
               {"gain_of_spin", row.gain_of_spin ? kd::json_of(*row.gain_of_spin) : Json(nullptr)},
@@ -83,10 +82,10 @@ void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
         std::vector<std::string> cells{own && row.packet > 1 ? fmt::format("{} {}", row.tracer, row.packet)
                                                              : row.tracer,
                                        own ? row.tree == row.tracer ? "suited" : row.tree : "",
-                                       fmt::format("{:.2f}", time.median_ms),
-                                       fmt::format("{:.2f}", time.p25_ms),
-                                       fmt::format("{:.2f}", time.p75_ms),
-                                       fmt::format("{:.2f}", row.mrays_per_s()),
+                                       short_number(time.median_ms),
+                                       short_number(time.p25_ms),
+                                       short_number(time.p75_ms),
+                                       short_number(row.mrays_per_s()),
                                        fmt::format("{}", row.differ),
                                        speed_text(of, true),
                                        speed_text(of, false)};
@@ -103,7 +102,7 @@ void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
 
 std::vector<SpeedOfPeer> speeds_of_peers(const RayBench& bench, const RayBenchRow& row) {
     std::vector<SpeedOfPeer> speeds;
-    if (row.rays == 0) return speeds;
+    if (row.spin) return speeds;
     const std::string rival = row.packet > 1 ? "embree-16" : "embree-1";
     for (const std::string& name : {rival + "-robust", rival})
         if (const RayBenchRow* peer = bench.find(row, name); peer && peer != &row)

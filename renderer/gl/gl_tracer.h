@@ -1,4 +1,4 @@
-// GPURT: the paper's four fragment passes over a kd-tree in textures (its section 3.2).
+// Traces on OpenGL: GPURT, the paper's four passes over a kd-tree (section 3.2), by one of three kinds of shaders.
 #pragma once
 
 #include <array>

@@ -32,6 +32,13 @@ void spin(int threads) {
     });
 }
 
+/// Round by round: both of a round met the same machine.
+std::vector<double> ratios(std::span<const double> over, std::span<const double> under) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < over.size(); ++i) all.push_back(over[i] / under[i]);
+    return all;
+}
+
 class Run {
   public:
     Run(std::span<const BenchRays> rays, std::span<const RayContestant> contestants, const RayBenchPlan& plan)
@@ -46,6 +53,7 @@ class Run {
     /// One entry of the rows is what one contestant did on so many threads.
     struct Timed {
         const RayContestant* contestant;
+        std::size_t on_one_thread;  // the place of the same contestant's entry there
         RayBenchRow row;
     };
 
@@ -93,6 +101,7 @@ class Run {
                 own = hits;
             }
             if (!c.is_peer()) hold_together(rays, *first, own, c, hits);
+            const std::size_t on_one_thread = timed.size();
             for (const int threads : thread_counts()) {
                 RayBenchRow row{.tracer = c.tracer,
                                 .packet = c.packet,
@@ -102,7 +111,7 @@ class Run {
                                 .rays = std::int64_t(n)};
                 row.hits = std::ranges::count_if(hits, [](const Hit& h) { return h.triangle >= 0; });
                 for (std::size_t i = 0; i < n; ++i) row.differ += differs(hits[i], expected[i], rays.any_hit()) ? 1 : 0;
-                timed.push_back({&c, std::move(row)});
+                timed.push_back({&c, on_one_thread, std::move(row)});
             }
         }
         return timed;
@@ -122,22 +131,19 @@ class Run {
 
     /// Rows of several threads say what these gained.
     void keep(const BenchRays& rays, std::vector<Timed> timed, std::span<const TimedRounds> spun) {
-        std::vector<double> spin_gain;
         if (!spun.empty()) {
-            RayBenchRow row{.tracer = spin_name, .threads = plan_.threads, .type = rays.type, .timed = spun[1]};
-            row.gain = ratio_interval(spun[0].ms(), spun[1].ms());
-            const std::vector<double> one = spun[0].ms(), all = spun[1].ms();
-            for (std::size_t i = 0; i < one.size(); ++i) spin_gain.push_back(one[i] / all[i]);
-            result_.spins.push_back(std::move(row));
-        }
-        for (std::size_t i = 0; i < timed.size(); ++i) {
-            RayBenchRow& row = timed[i].row;
-            if (row.threads > 1) {
-                const std::vector<double> one = timed[i - 1].row.timed.ms(), all = row.timed.ms();
-                row.gain = ratio_interval(one, all);
-                std::vector<double> gain;
-                for (std::size_t k = 0; k < all.size(); ++k) gain.push_back(one[k] / all[k]);
-                row.gain_of_spin = ratio_interval(gain, spin_gain);
+            const std::vector<double> spin_gain = ratios(spun[0].ms(), spun[1].ms());
+            result_.spins.push_back({.tracer = spin_name,
+                                     .spin = true,
+                                     .threads = plan_.threads,
+                                     .type = rays.type,
+                                     .timed = spun[1],
+                                     .gain = ratio_interval(spun[0].ms(), spun[1].ms())});
+            for (Timed& t : timed) {
+                if (t.row.threads == 1) continue;
+                const std::vector<double> one = timed[t.on_one_thread].row.timed.ms(), all = t.row.timed.ms();
+                t.row.gain = ratio_interval(one, all);
+                t.row.gain_of_spin = ratio_interval(ratios(one, all), spin_gain);
             }
         }
         for (Timed& t : timed) result_.rows.push_back(std::move(t.row));

@@ -33,6 +33,7 @@ inline constexpr const char* reference_peer = "embree-1-robust";
 
 struct RayBenchRow {
     std::string tracer;
+    bool spin = false;  // a loop without memory in the place of a tracer: it answers no rays
     int packet = 1;
     std::string tree{};
     int threads = 1;

@@ -54,10 +54,7 @@ class GlMachine : public RayMachine {
 
     [[nodiscard]] std::string tracer() const override { return std::string(tracer_name(mode_)); }
     [[nodiscard]] std::string context() const override { return std::string(name_of(context_->kind())); }
-    [[nodiscard]] bool has_walk(const TraceConfig& config) const override {
-        const bool in_steps = rules_in_force(config) == Rules::robust && config.traversal != Traversal::naive;
-        return mode_ != GlMode::wavefront || in_steps;
-    }
+    [[nodiscard]] bool has_walk(const TraceConfig& config) const override { return kd::has_walk(mode_, config); }
     void load(const FlatScene& scene, const KdTree& tree) override {
         context_->make_current();
         tracer_->upload(scene, tree);

@@ -5,11 +5,13 @@
 #include <set>
 #include <sstream>
 
+#include "app/report/peers_report.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/ray_bench.h"
 #include "renderer/peers/peers.h"
 #include "renderer/scene/procedural.h"
 #include "tests/app/cli_run.h"
+#include "viz/text.h"
 
 namespace kd {
 namespace {
@@ -56,13 +58,18 @@ TEST(BenchRays, SecondaryOnesBeginAtHits) {
     ASSERT_LE(all[1].rays.size(), all[0].rays.size());
     ASSERT_GT(all[1].rays.size(), 100u);
     const Vec3 light = scene.lights.front().position;
+    // Both begin at most a margin from the hit: 2 gamma(7) |p| (shared/surface.glsl); their sums round off another.
+    const float apart =
+        5 * KD_GAMMA_7 * glm::length(glm::max(glm::abs(scene.bounds.lower), glm::abs(scene.bounds.upper)));
+    // Two directions, each normalised with errors of at most four roundings; what the margin turns them by is squared.
+    const float least_cosine = 1 - 8 * std::numeric_limits<float>::epsilon();
     std::size_t changed = 0;
     for (std::size_t i = 0; i < all[1].rays.size(); ++i) {
         const Ray& shadow = all[1].rays[i];
         const Vec3 way = glm::normalize(light - shadow.origin);
-        EXPECT_GT(glm::dot(way, glm::normalize(shadow.direction)), 0.999f) << i;
+        EXPECT_GT(glm::dot(way, glm::normalize(shadow.direction)), least_cosine) << i;
         EXPECT_LT(shadow.t_max, KD_T_LIMIT) << "it ends at the light";
-        EXPECT_LT(glm::length(all[2].rays[i].origin - shadow.origin), 1e-3f) << "of the same hit";
+        EXPECT_LT(glm::length(all[2].rays[i].origin - shadow.origin), apart) << "of the same hit";
         EXPECT_EQ(shadow.source, -1) << "peers know of no source";
         EXPECT_GT(shadow.t_min, 0.0f);
         EXPECT_EQ(all[2].rays[i].direction, again[2].rays[i].direction) << "the seed makes them";
@@ -166,18 +173,51 @@ TEST(BenchPeers, EveryContestantHasARowForEveryTypeOfRays) {
     EXPECT_EQ(rows, expected);
 }
 
-TEST(BenchPeers, TablesKeepWithinAHundredLetters) {
+TEST(BenchPeers, PrintsATableForEveryTypeOfRays) {
     if (peers_version().empty()) GTEST_SKIP() << "Embree 3 is not installed";
     const auto outcome =
         run_kdscope({"bench", "ball:300", "--peers", "--size", "64x64", "--rounds", "6", "--warmup", "0"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("cpu-packet 16"), std::string::npos);
     EXPECT_NE(outcome.out.find("random rays: "), std::string::npos);
-    std::istringstream lines(outcome.out);
-    for (std::string line; std::getline(lines, line);) {
-        const auto letters = std::ranges::count_if(line, [](char c) { return (c & 0xc0) != 0x80; });
-        // "0.0849 – 11.4" on a busy machine stands for "0.97 – 0.98" on a quiet one, in two columns.
-        EXPECT_LE(letters, line.find(" – ") == std::string::npos ? 100 : 112) << line;
+}
+
+/// A row of rays that took `ms`, and a percent more in every other round.
+RayBenchRow row_of(const char* tracer, const char* tree, int packet, int threads, double ms) {
+    RayBenchRow row{.tracer = tracer, .packet = packet, .tree = tree, .threads = threads, .rays = 262144};
+    for (int i = 0; i < 12; ++i) row.timed.rounds.push_back({ms * (1 + 0.01 * (i % 2))});
+    if (threads > 1) row.gain = row.gain_of_spin = {1.91, 1.90, 1.93, 0.98, 12};
+    return row;
+}
+
+/// What bench --peers prints of these rows, with the longest names and times that a quiet machine gives.
+std::string table_of(int threads) {
+    PeersScene peers;
+    peers.peers = "Embree 3.13.5";
+    peers.trees["asked"] = peers.trees["cpu-packet"] = {};
+    peers.result.rows = {
+        row_of("embree-16-robust", "", 16, threads, 8765.43), row_of("embree-16", "", 16, threads, 999.4),
+        row_of("cpu-packet", "cpu-packet", 16, threads, 812.3), row_of("cpu-packet", "asked", 8, threads, 43.21)};
+    if (threads > 1) {
+        peers.result.spins = {row_of("spin", "", 1, threads, 12.3)};
+        peers.result.spins.front().spin = true;
+    }
+    std::ostringstream out;
+    print(out, peers, 3);
+    return out.str();
+}
+
+TEST(BenchPeers, TablesKeepWithinAHundredLetters) {
+    // A busy machine's intervals, "0.0849 – 11.4", may take more.
+    for (const int threads : {1, 2}) {
+        std::istringstream lines(table_of(threads));
+        int rows = 0;
+        for (std::string line; std::getline(lines, line); rows += line.starts_with("cpu-packet ")) {
+            // Processor and build, whose names are the machine's own, stand in the lines before the table.
+            if (line.starts_with("tree ") || line.find("Embree 3.13.5") != std::string::npos) continue;
+            EXPECT_LE(decode_utf8(line).size(), 100u) << line;
+        }
+        EXPECT_EQ(rows, 2) << threads;
     }
 }
 

@@ -7,7 +7,9 @@
 
 #include "app/choices.h"
 #include "app/tracer_choices.h"
+#include "renderer/gl/ray_queues.h"
 #include "tests/app/cli_run.h"
+#include "tests/support/refusal.h"
 
 namespace kd {
 namespace {
@@ -97,6 +99,19 @@ TEST(Tracers, VerifyHoldsThemTogether) {
     for (const char* tracer : {"gl-fragment", "gl-compute", "gl-wavefront"})
         EXPECT_EQ(walks_of[tracer].size() - walks_of[tracer].count("naive"), walks) << tracer;
     EXPECT_EQ(walks_of["cpu-packet"], (std::set<std::string>{"stack"}));
+}
+
+TEST(Tracers, SayWhichWalksTheyRefuseAsTheShadersDo) {
+    for (const NamedValue<TracerKind>& tracer : choices::tracers())
+        for (const NamedValue<Traversal>& walk : choices::traversals())
+            for (const NamedValue<Rules>& rules : choices::rules()) {
+                const TraceConfig config{.traversal = walk.value, .rules = rules.value};
+                const bool refused = tracer.value == TracerKind::gl_wavefront &&
+                                     test::refusal([&] { check_wavefront(config); }) != "accepted";
+                EXPECT_EQ(!why_no_walk(tracer.value, config).empty(), refused)
+                    << tracer.name << ", " << walk.name << ", " << rules.name;
+            }
+    EXPECT_EQ(why_no_walk(TracerKind::gl_wavefront, {}), "");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::vector<Case> in_all_modes(const std::vector<Case>& cases) {
             if (mode != GlMode::fragment && half > 1 && !has_its_turn) continue;
             Case each = cases[i];
             each.mode = mode;
-            if (test::traces(mode, {.traversal = each.traversal})) all.push_back(each);
+            if (has_walk(mode, {.traversal = each.traversal})) all.push_back(each);
         }
     return all;
 }

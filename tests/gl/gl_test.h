@@ -31,11 +31,6 @@ inline std::string context_name(const testing::TestParamInfo<ContextKind>& test)
     return std::string(name_of(test.param));
 }
 
-/// Whether a kind of shaders can trace `config`.
-inline bool traces(GlMode mode, const TraceConfig& config) {
-    return mode != GlMode::wavefront || has_ballot_loop(config);
-}
-
 /// A kind of context, and a kind of shaders on it.
 struct Machine {
     ContextKind context;
