@@ -10,7 +10,8 @@ totals >cpu.txt
 see_picture cpu.png
 [[ -z $(place "TRACING/packet") ]] || fail "tracer cpu walks no packets"
 
-# same_as_cpu TRACER MOST: the same counts, and a picture that differs by MOST at most (mean of 0..1).
+# same_as_cpu TRACER MOST: the same counts, and a picture that differs by MOST at most (mean of 0..1). The CPU's differ in
+# no bit; those of GL by what tests/gl/equality_gl_test.cpp grants GPUs, as rounding to 8 bits keeps a mean difference.
 same_as_cpu() {
     totals | cmp -s cpu.txt - || fail "$1 counts otherwise: $(totals | diff cpu.txt -)"
     see_picture "$1.png"
@@ -46,7 +47,7 @@ traced_by gl-fragment
 for tracer in gl-wavefront gl-compute; do
     choose "TRACING/tracer" "$tracer"
     traced_by "$tracer"
-    same_as_cpu "$tracer"
+    same_as_cpu "$tracer" 0.0005
 done
 hover 20 20
 press v
