@@ -40,14 +40,16 @@ void begin_from_top()
 bool take_kept(IN(Hit) hit)
 {
     int kept = take_newest(walk_kept, entries_kept, hit);
-    if (kept < 0) return false;
-    walk_begin = walk_kept.begin[kept];
-    walk_end = walk_kept.end[kept];
-    walk_trail = advance_trail(walk_trail, walk_kept.level[kept]);
-    walk_level = walk_kept.level[kept] + 1;
-    walk_turned_at = -1;
-    go_to(walk_kept.node[kept]);
-    return true;
+    // No early return: where nothing is kept NVIDIA's compiler would find the index -1 behind it.
+    if (kept >= 0) {
+        walk_begin = walk_kept.begin[kept];
+        walk_end = walk_kept.end[kept];
+        walk_trail = advance_trail(walk_trail, walk_kept.level[kept]);
+        walk_level = walk_kept.level[kept] + 1;
+        walk_turned_at = -1;
+        go_to(walk_kept.node[kept]);
+    }
+    return kept >= 0;
 }
 
 void leave_leaf_from_top(IN(Hit) hit)

@@ -70,12 +70,17 @@ TEST(Stability, ASpheresVerticesAreLostAsPublished) {
     EXPECT_NE(row.reason.find("0x"), std::string::npos) << "the ray in exact hexadecimal floats: " << row.reason;
 }
 
-TEST(Stability, OpenGlIsHeldToTheSame) {
+/// Why there is no OSMesa, empty where there is.
+std::string why_no_osmesa() {
     try {
-        if (!Context::create(ContextKind::osmesa)->is_software()) GTEST_SKIP() << "NO CONTEXT: not in software";
+        return Context::create(ContextKind::osmesa)->is_software() ? "" : "not in software";
     } catch (const ContextError& error) {
-        GTEST_SKIP() << "NO CONTEXT: " << error.what();
+        return error.what();
     }
+}
+
+TEST(Stability, OpenGlIsHeldToTheSame) {
+    if (const std::string why = why_no_osmesa(); !why.empty()) GTEST_SKIP() << "NO CONTEXT: " << why;
     const StabilityReport report = run(Rules::robust, {"restart"}, {ContextKind::osmesa});
     EXPECT_TRUE(report.passed());
     ASSERT_EQ(report.rows.size(), 2u);
@@ -88,11 +93,7 @@ TEST(Stability, EveryWalkIsHeldToTheCpuOnOpenGl) {
     StabilityConfig config;
     config.cases = {"T62"};
     config.contexts = {ContextKind::osmesa};
-    try {
-        (void)Context::create(ContextKind::osmesa);
-    } catch (const ContextError& error) {
-        GTEST_SKIP() << "NO CONTEXT: " << error.what();
-    }
+    if (const std::string why = why_no_osmesa(); !why.empty()) GTEST_SKIP() << "NO CONTEXT: " << why;
     const StabilityReport report = run_stability(config);
     EXPECT_TRUE(report.passed());
     const auto part = std::int64_t(100'000 + builders().size() - 1) / std::int64_t(builders().size());
@@ -104,6 +105,21 @@ TEST(Stability, EveryWalkIsHeldToTheCpuOnOpenGl) {
     for (const StabilityRow& row : report.rows) walked[row.tracer][row.traversal] = row.n;
     EXPECT_EQ(walked["cpu"], rays);
     EXPECT_EQ(walked["gl-fragment"], rays);
+}
+
+TEST(Stability, NaiveIsAskedOnlyOfTracersThatHaveIt) {
+    if (const std::string why = why_no_osmesa(); !why.empty()) GTEST_SKIP() << "NO CONTEXT: " << why;
+    StabilityConfig config;
+    config.cases = {"T50"};
+    config.cpu = {};
+    config.gl = {GlMode::fragment, GlMode::wavefront};
+    config.contexts = {ContextKind::osmesa};
+    const StabilityReport report = run_stability(config);
+    EXPECT_TRUE(report.passed());
+    std::set<std::string> tracers;
+    for (const StabilityRow& row : report.rows)
+        if (row.traversal == info(Traversal::naive).name) tracers.insert(row.tracer);
+    EXPECT_EQ(tracers, std::set<std::string>{"gl-fragment"});
 }
 
 TEST(Stability, TreesAreOfTheBuilderAskedForWhereACaseNamesNone) {

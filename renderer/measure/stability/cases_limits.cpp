@@ -94,10 +94,10 @@ void run_naive(CaseRun& run, int count) {
         rays.push_back(ray_to(random_point(random, -1, 2), random_point(random, 0, 1)));
     const std::vector<Hit> expected = run.loop_hits(soup.scene, rays);
     run.each(soup, [&](RayMachine& machine, const TraceConfig& trace, StabilityRow&) {
-        if (trace.traversal != Traversal::stack) return;
-        StabilityRow& row = run.row(machine.tracer(), machine.context(), info(Traversal::naive).name);
         TraceConfig naive;
         naive.traversal = Traversal::naive;
+        if (trace.traversal != Traversal::stack || !machine.has_walk(naive)) return;
+        StabilityRow& row = run.row(machine.tracer(), machine.context(), info(Traversal::naive).name);
         std::vector<Hit> hits(rays.size());
         std::string refused;
         row.seconds += 1e-3 * wall_ms([&] {
