@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/cpu/suited_tree.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
@@ -76,13 +77,16 @@ int run(const std::string& name, int rounds, int threads) {
     };
     compete("embree high", [&] { high.build(); });
     compete("embree medium", [&] { medium.build(); });
-    std::vector<KdTree> trees(builders().size());
+    std::vector<KdTree> trees(builders().size() + 1);
+    const auto compete_tree = [&](std::string label, const BuildConfig& config, KdTree& tree) {
+        compete("kdscope " + label,
+                [&, config] { tree = build_tree(scene.triangles, config, nullptr, {}, {}, threads); });
+    };
     for (std::size_t i = 0; i < builders().size(); ++i) {
         const BuildConfig config{.builder = std::string(builders()[i].name)};
-        compete("kdscope " + config.builder, [&scene, &tree = trees[i], config, threads] {
-            tree = build_tree(scene.triangles, config, nullptr, {}, {}, threads);
-        });
+        compete_tree(config.builder, config, trees[i]);
     }
+    compete_tree("exact, cpu-wide's", suited_tree(CpuMode::wide, {}), trees.back());
     const std::vector<TimedRounds> times = time_in_turn(contestants, {.warmup = 2, .rounds = rounds});
 
     std::printf("%s, %zu triangles, %d threads, %d rounds in turn\n", name.c_str(), scene.triangles.size(), threads,
