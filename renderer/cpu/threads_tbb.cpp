@@ -2,6 +2,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #include "renderer/cpu/threads.h"
 
 namespace kd {
@@ -10,6 +12,11 @@ int default_threads() { return tbb::info::default_concurrency(); }
 
 void parallel_ranges(std::size_t count, std::size_t grain, int threads,
                      const std::function<void(std::size_t first, std::size_t last)>& work) {
+    // One thread needs no arena, and whatever it waits for, it takes up nobody else's work meanwhile.
+    if (threads == 1) {
+        for (std::size_t first = 0; first < count; first += grain) work(first, std::min(first + grain, count));
+        return;
+    }
     const auto loop = [&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, grain),

@@ -99,6 +99,11 @@ std::vector<std::string> build_notes(const BuildReport& report) {
     return notes;
 }
 
+void check_build_input(std::span<const Triangle> triangles, const BuildConfig& config) {
+    check_config(config);
+    check_triangles(triangles);
+}
+
 int depth_limit(const BuildConfig& config, std::size_t n) {
     if (config.max_depth > 0) return std::min(config.max_depth, max_tree_depth);
     const double depth = 8.0 + 1.6 * std::log2(double(std::max<std::size_t>(n, 1)));
@@ -109,8 +114,7 @@ KdTree build_tree(std::span<const Triangle> triangles, const BuildConfig& config
                   const BuildProgress& progress, std::stop_token stop, int threads) {
     const auto begin = Clock::now();
     const Builder& builder = named_builder(config.builder);
-    check_config(config);
-    check_triangles(triangles);
+    check_build_input(triangles, config);
 
     BuildReport own_report;
     BuildReport& told = report ? *report : own_report;

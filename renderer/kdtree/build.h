@@ -125,6 +125,9 @@ struct Builder {
 [[nodiscard]] std::span<const Builder> builders();
 [[nodiscard]] const Builder* find_builder(std::string_view name);
 
+/// InputError for a constant out of range, for too many triangles or one that is not finite.
+void check_build_input(std::span<const Triangle> triangles, const BuildConfig& config);
+
 /// Builds with the builder that `config` names; InputError for an unknown name, a constant out of range or a triangle
 /// that is not finite.
 /// A stop request ends the build early with a valid tree whose unfinished nodes are leaves. Uses `threads` threads
