@@ -8,6 +8,7 @@
 #include "app/scenes.h"
 #include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
+#include "renderer/gl/ray_queues.h"
 #include "renderer/io/printable.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/units.h"
@@ -249,9 +250,17 @@ MachineChoice wanted_machines(const CommonOptions& options, const std::vector<Tr
 }
 
 void require_context(const CommonOptions& options, bool uses_all) {
+    require_walk(options);
     const bool by_tracer = options.tracer && !runs_on_cpu(*options.tracer);
     const bool by_context = uses_all && !options.tracer && options.context;
     if (by_tracer || by_context) (void)Context::create(options.context.value_or(ContextKind::automatic));
+}
+
+void require_walk(const CommonOptions& options) {
+    if (options.tracer != TracerKind::gl_wavefront || !options.traversal) return;
+    TraceConfig config = options.session.trace;
+    config.traversal = *options.traversal;
+    check_wavefront(config);
 }
 
 std::vector<Traversal> wanted_traversals(const CommonOptions& options, bool naive) {

@@ -90,4 +90,7 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
 /// `uses_all` where a command runs every tracer unless one is named. ContextError.
 void require_context(const CommonOptions& options, bool uses_all);
 
+/// InputError where the tracer that was named has not the traversal that was.
+void require_walk(const CommonOptions& options);
+
 }  // namespace kd

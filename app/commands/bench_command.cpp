@@ -62,7 +62,7 @@ struct Walk {
 };
 
 /// The row of a walk with all but its times: counters, and what the tracer made before its first frame. None where it
-/// refuses, with a note unless the walk was asked for.
+/// refuses, with a note unless the very pair was asked for.
 std::optional<BenchRow> first_frames(const BenchOptions& options, const Walk& walk, BenchScene& bench,
                                      CommandContext& context) {
     const Session& s = bench.session;
@@ -79,7 +79,7 @@ std::optional<BenchRow> first_frames(const BenchOptions& options, const Walk& wa
         row.counters = sum_of(pass_totals(frame.value(), bench.rays));
         note_unfinished(*frame, walk.name, bench.notes);
     } catch (const InputError& error) {
-        if (options.traversal) throw;
+        if (options.tracer && options.traversal) throw;
         bench.notes.push_back(fmt::format("{} left out: {}", walk.name, error.what()));
         return std::nullopt;
     }
@@ -131,6 +131,7 @@ void measure(const BenchOptions& options, BenchScene& bench, CommandContext& con
                 contestants.push_back(contestant_of(walk, bench, progress, context));
             }
         }
+    if (bench.rows.empty()) throw InputError(fmt::format("nothing to time: {}", bench.notes.back()));
     const std::vector<TimedRounds> times =
         time_in_turn(contestants, {.warmup = options.warmup, .rounds = options.rounds});
     for (std::size_t i = 0; i < times.size(); ++i) bench.rows[i].timed = times[i];

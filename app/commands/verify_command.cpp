@@ -143,6 +143,7 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
 
 int run(const CLI::App& app, const VerifyOptions& options, CommandContext& context) {
     check_uses(app, options);
+    require_walk(options);
     if (options.needs) return verify_needs(options, options.json, context);
     note_idle(app, shared_uses(options, options.session_for(""), true, true, true), context);
     const auto check = [&](const Session& session, const FlatScene& scene, const CheckProgress& show) {

@@ -70,6 +70,7 @@ void note_gl(MeasuredOn& on, const std::string& renderer, const std::string& dri
     on.renderer = renderer;
     on.driver = driver;
     on.software_gl = software;
+    if (const char* groups = std::getenv("KDSCOPE_COMPUTE")) on.gl_groups = printable(groups);
     if (!software) return;
     const char* told = std::getenv("LP_NUM_THREADS");
     on.gl_threads = told && *told ? fmt::format("{} (LP_NUM_THREADS)", printable(told))

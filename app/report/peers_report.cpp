@@ -140,8 +140,11 @@ void print(std::ostream& out, const PeersScene& peers, int warmup) {
     out << fmt::format(
         "\n{} in turn after {} warm-up. ms: median; p25 to p75: their middle half; differ: rays that are\n"
         "answered otherwise than by {}; of robust, of default: speed over the peer's, with\n"
-        "single rays or with packets of 16, and in brackets its 95 % interval.\n",
-        counted(rounds, "round"), warmup, reference_peer);
+        "single rays or with packets of 16, and in brackets {}.\n",
+        counted(rounds, "round"), warmup, reference_peer,
+        rounds < MedianInterval::least_samples
+            ? fmt::format("its range, as a 95 % interval takes {}", counted(MedianInterval::least_samples, "round"))
+            : "its 95 % interval");
 }
 
 }  // namespace kd

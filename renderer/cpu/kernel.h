@@ -117,6 +117,7 @@ class Kernel {
     bool scene_has_normals() const { return view.needs.normals; }
     bool scene_has_textures() const { return view.needs.textures; }
     bool scene_has_highlights() const { return view.needs.highlights; }
+    bool scene_has_emission() const { return view.needs.emission; }
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
     bool scene_has_spot_lights() const { return true; }

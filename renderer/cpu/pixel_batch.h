@@ -94,7 +94,7 @@ class PixelBatch {
             }
             shaded[i] = true;
             surface[i] = kernel_.surface_at(path_[i].ray, path_[i].hit);
-            total[i] = kernel_.ambient_light(surface[i]);
+            total[i] = kernel_.own_light(surface[i]);
             to_viewer[i] = -kernel_.normalise3(path_[i].ray.direction);
         }
         for (int i = 0; i < kernel_.light_count(); ++i)

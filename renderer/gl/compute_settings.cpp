@@ -15,7 +15,10 @@ namespace {
 constexpr int most_pixels = 1024;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view why) {
-    throw InputError(fmt::format("KDSCOPE_COMPUTE '{}': {}; say 16x8, 16x16,linear or 8x4,storage", text, why));
+    throw InputError(fmt::format(
+        "KDSCOPE_COMPUTE '{}': {}; say 16x8, or with linear, storage or textures, lists or no-lists, dealt or "
+        "in-order behind it: 8x4,storage",
+        text, why));
 }
 
 /// All of `digits` as a number from 1 to `most`.

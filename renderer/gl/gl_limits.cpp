@@ -58,8 +58,8 @@ UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree) {
     sizes.triangles = std::int64_t(scene.triangles.size());
     sizes.lights = std::int64_t(scene.lights.size());
     for (const Image<Rgba8>& image : scene.textures) sizes.texels += std::int64_t(image.pixels.size());
-    sizes.table_texels =
-        3 * std::int64_t(scene.materials.size()) + 4 * sizes.lights + std::int64_t(scene.textures.size());
+    sizes.table_texels = texels_per_material * std::int64_t(scene.materials.size()) + texels_per_light * sizes.lights +
+                         std::int64_t(scene.textures.size());
     return sizes;
 }
 

@@ -122,6 +122,7 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_SHADOWS", flag(s.needs.shadows && shades)},
         {"KD_REFLECTIONS", flag(s.needs.reflections && step == Step::rt_prim)},
         {"KD_HIGHLIGHTS", flag(s.needs.highlights && shades)},
+        {"KD_EMISSION", flag(s.needs.emission && shades)},
         {"KD_DIRECTIONAL_LIGHTS", flag(s.needs.directional_lights && shades)},
         {"KD_PLACED_LIGHTS", flag(s.needs.placed_lights && shades)},
         {"KD_SPOT_LIGHTS", flag(s.needs.spot_lights && shades)},

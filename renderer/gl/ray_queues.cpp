@@ -42,10 +42,10 @@ int words_per_ray(const TraceConfig& config, const SceneNeeds& needs) {
 
 void check_wavefront(const TraceConfig& config) {
     if (has_ballot_loop(config)) return;
-    throw InputError(fmt::format("tracer gl-wavefront: no walk step by step is written for {} under rules {}; choose a "
-                                 "walk of the tree under the "
-                                 "robust rules, or --tracer gl-compute",
-                                 info(config.traversal).name, info(config.rules).name));
+    throw InputError(
+        fmt::format("tracer gl-wavefront: has no {} under {} rules, but each walk of the tree under robust "
+                    "ones; choose one of these, or --tracer gl-compute",
+                    info(config.traversal).name, info(config.rules).name));
 }
 
 int RayQueues::reserve(const GlApi& gl, std::int64_t rays, int words, std::int64_t storage_bytes) {

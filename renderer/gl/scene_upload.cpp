@@ -25,7 +25,8 @@ std::vector<Words> encode_tables(const FlatScene& scene) {
     for (const Material& m : scene.materials) {
         table.push_back(words(m.diffuse, bits(m.shininess)));
         table.push_back(words(m.specular, unsigned(m.texture)));
-        table.push_back(words(m.reflectance, 0));
+        table.push_back(words(m.reflectance, unsigned(m.emission_texture)));
+        table.push_back(words(m.emission, 0));
     }
     for (const Light& l : scene.lights) {
         table.push_back(words(l.position, unsigned(l.kind)));
@@ -96,8 +97,8 @@ std::vector<Rgba8> encode_texels(const FlatScene& scene) {
 }
 
 gl_blocks::SceneBlock encode_block(const FlatScene& scene, int nodes, int step_budget, int only_material) {
-    const int lights_at = 3 * int(scene.materials.size());
-    const int textures_at = lights_at + 4 * int(scene.lights.size());
+    const int lights_at = texels_per_material * int(scene.materials.size());
+    const int textures_at = lights_at + texels_per_light * int(scene.lights.size());
     return {
         .bounds_lower = Vec4(scene.bounds.lower, 0.0f),
         .bounds_upper = Vec4(scene.bounds.upper, 0.0f),

@@ -13,8 +13,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> supported_extensions{
-    "KHR_lights_punctual", "KHR_materials_pbrSpecularGlossiness", "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 5> supported_extensions{"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                                               "KHR_materials_pbrSpecularGlossiness",
+                                                               "KHR_mesh_quantization", "KHR_texture_transform"};
 constexpr int deepest_nesting = 256;
 
 bool supported(std::string_view extension) {

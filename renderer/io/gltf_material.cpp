@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* glossiness_extension = "KHR_materials_pbrSpecularGlossiness";
 constexpr const char* transform_extension = "KHR_texture_transform";
+constexpr const char* strength_extension = "KHR_materials_emissive_strength";
+constexpr double most_strength = 1000.0;  // far beyond what is white
 
 bool names_one_of(int index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
 
@@ -45,12 +47,14 @@ MaterialUse GltfMaterials::add(int index) {
     const tinygltf::Value* glossy = find_extension(material.extensions, glossiness_extension);
     const PbrSurface surface =
         glossy ? glossy_surface(*glossy, texture) : metallic_surface(material.pbrMetallicRoughness, texture);
+    Material made = to_material(surface, texture.texture);
+    add_emission(material, texture, made);
     note_omissions(material);
 
-    scene_.materials.push_back(to_material(surface, texture.texture));
+    scene_.materials.push_back(made);
     scene_.material_names.push_back(index < 0 ? "default" : printable(material.name));
-    return {static_cast<int>(scene_.materials.size()) - 1, texture.texture < 0 ? -1 : texture.uv_set, texture.repeats,
-            texture.uv};
+    const bool textured = made.texture >= 0 || made.emission_texture >= 0;
+    return {static_cast<int>(scene_.materials.size()) - 1, textured ? texture.uv_set : -1, texture.repeats, texture.uv};
 }
 
 PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture) {
@@ -93,11 +97,31 @@ PbrSurface GltfMaterials::glossy_surface(const tinygltf::Value& extension, Textu
                                in_range(number_or(extension, "glossinessFactor", 1.0)));
 }
 
-void GltfMaterials::note_omissions(const tinygltf::Material& material) {
-    const auto& emission = material.emissiveFactor;
-    if (std::ranges::any_of(emission, [](double e) { return e != 0.0; })) {
-        context_.count("ignored the emission of", "material");
+/// Corners here have one pair of coordinates, so an image with other ones than those of `base` counts by its mean.
+void GltfMaterials::add_emission(const tinygltf::Material& material, TextureUse& base, Material& made) {
+    if (std::ranges::none_of(material.emissiveFactor, [](double e) { return e != 0.0; })) return;
+    double strength = 1.0;
+    if (const tinygltf::Value* extension = find_extension(material.extensions, strength_extension)) {
+        strength = number_or(*extension, "emissiveStrength", 1.0);
+        if (!(strength >= 0.0 && strength <= most_strength)) {
+            context_.note("limited the strength of an emission to 0..1000");
+            strength = strength > 0.0 ? most_strength : 0.0;
+        }
     }
+    made.emission = Vec3(srgb_encoded(strength * in_range(material.emissiveFactor)));
+    const TextureUse image = scene_texture(material.emissiveTexture.index, material.emissiveTexture.texCoord,
+                                           find_extension(material.emissiveTexture.extensions, transform_extension));
+    if (image.texture < 0) return;
+    if (base.texture < 0) base = {-1, image.uv_set, image.repeats, image.uv};
+    if (image.uv_set == base.uv_set && image.uv == base.uv) {
+        made.emission_texture = image.texture;
+    } else {
+        made.emission *= mean_colour(scene_.textures[static_cast<std::size_t>(image.texture)]);
+        context_.count("replaced", "emissive texture", " by its mean, as it has its own coordinates");
+    }
+}
+
+void GltfMaterials::note_omissions(const tinygltf::Material& material) {
     if (material.normalTexture.index >= 0) context_.count("ignored", "normal map");
     if (material.alphaMode != "OPAQUE") context_.count("shown", "transparent material", " as opaque");
 }

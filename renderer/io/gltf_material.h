@@ -18,6 +18,7 @@ struct UvTransform {
     double rotation = 0.0;  // radians
 
     [[nodiscard]] Vec2 apply(Vec2 uv) const;
+    bool operator==(const UvTransform&) const = default;
 };
 
 /// A material of the scene, and which texture coordinates its primitives must bring.
@@ -47,6 +48,7 @@ class GltfMaterials {
     MaterialUse add(int index);
     PbrSurface metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture);
     PbrSurface glossy_surface(const tinygltf::Value& extension, TextureUse& texture);
+    void add_emission(const tinygltf::Material& material, TextureUse& base, Material& made);
     void note_omissions(const tinygltf::Material& material);
     int image_of_texture(int texture);
     TextureUse scene_texture(int texture, int uv_set, const tinygltf::Value* transform);

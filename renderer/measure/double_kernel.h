@@ -56,6 +56,7 @@ class DoubleKernel {
     bool scene_has_textures() const { return !scene_.textures.empty(); }
     bool shadows_enabled() const { return shadows_; }
     bool scene_has_highlights() const { return true; }
+    bool scene_has_emission() const { return true; }
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
     bool scene_has_spot_lights() const { return true; }
@@ -94,7 +95,8 @@ class DoubleKernel {
     int fetch_material_index(int triangle) const { return scene_.attributes[std::size_t(triangle)].material; }
     Material fetch_material(int index) const {
         const kd::Material& m = scene_.materials[std::size_t(index)];
-        return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), m.shininess, m.texture};
+        return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), real3(m.emission),
+                m.shininess,      m.texture,         m.emission_texture};
     }
     Light fetch_light(int index) const {
         const kd::Light& l = scene_.lights[std::size_t(index)];

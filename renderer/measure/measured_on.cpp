@@ -22,6 +22,7 @@ std::vector<std::pair<std::string, std::string>> MeasuredOn::facts() const {
                                                          {"flags", flags},
                                                          {"build_type", build_type},
                                                          {"seed", fmt::format("{}", seed)}};
+    if (!gl_groups.empty()) all.emplace_back("gl_groups", gl_groups);
     if (!settings.empty()) all.emplace_back("settings", settings);
     return all;
 }

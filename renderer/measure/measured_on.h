@@ -15,6 +15,7 @@ struct MeasuredOn {
     std::string renderer, driver;   // GL_RENDERER and GL_VERSION; empty without OpenGL
     bool software_gl = false;       // the shaders ran on the CPU
     std::string gl_threads;         // "2 (one a core)", "4 (LP_NUM_THREADS)"; empty where no software ran them
+    std::string gl_groups;          // KDSCOPE_COMPUTE, which compute shaders were run by; empty where it is not set
     std::string gl_clock;           // that times of OpenGL were read from; the CPU's are from the steady clock
     std::string version, commit, compiler, flags, build_type;
     unsigned seed = 1;

@@ -68,6 +68,10 @@ FeatureNeed highlights(Facts f, Config) {
     return f.highlights ? needed("a material has a specular colour") : idle("no material has a specular colour");
 }
 
+FeatureNeed emission(Facts f, Config) {
+    return f.emission ? needed("a material emits light") : idle("no material emits light");
+}
+
 FeatureNeed textures(Facts f, Config) {
     return f.textures ? needed("a material has an image") : idle("no textured material");
 }
@@ -152,6 +156,8 @@ constexpr std::array table{
     FeatureInfo{Feature::highlights, "highlights", "highlights",
                 "The specular term: a half-way vector and a power per light.", &SceneNeeds::highlights, true,
                 highlights},
+    FeatureInfo{Feature::emission, "emission", "emission", "A fourth texel per material, added at each hit.",
+                &SceneNeeds::emission, true, emission},
     FeatureInfo{Feature::textures, "textures", "texture fetch",
                 "Texture coordinates of every corner, the images, and four texels per hit.", &SceneNeeds::textures,
                 true, textures},

@@ -38,7 +38,9 @@ SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
         if (!used[i]) continue;
         const Material& material = scene.materials[i];
         if (++facts.materials == 1) facts.only_material = int(i);
-        facts.textures = facts.textures || material.texture >= 0;
+        const bool emits = material.emission != Vec3(0.0f);
+        facts.emission = facts.emission || emits;
+        facts.textures = facts.textures || material.texture >= 0 || (emits && material.emission_texture >= 0);
         for (int channel = 0; channel < 3; ++channel) {
             facts.largest_reflectance = std::max(facts.largest_reflectance, material.reflectance[channel]);
             facts.highlights = facts.highlights || material.specular[channel] != 0.0f;

@@ -20,6 +20,7 @@ struct SceneFacts {
     int only_material = 0;             // where that is one
     float largest_reflectance = 0.0f;  // of these, 0..1
     bool highlights = false;           // one of these has a specular colour
+    bool emission = false;             // one of these emits
     bool textures = false;             // one of these has an image
     bool normals = false;              // FlatScene::has_normals
     int deepest_leaf = 0;              // levels below the root
@@ -37,6 +38,7 @@ struct SceneNeeds {
     bool placed_lights = false;
     bool spot_lights = false;
     bool highlights = false;
+    bool emission = false;
     bool textures = false;
     bool normals = false;
     bool material_numbers = false;

@@ -37,11 +37,11 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials) {
 
 void check_textures(const Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const int texture = scene.materials[i].texture;
-        if (texture >= 0 && !names_one_of(texture, scene.textures.size()))
-            throw InputError(
-                fmt::format("material {}: texture {} is not one of the scene's {}; correct it, or use -1 for none", i,
-                            texture, scene.textures.size()));
+        for (const int texture : {scene.materials[i].texture, scene.materials[i].emission_texture})
+            if (texture >= 0 && !names_one_of(texture, scene.textures.size()))
+                throw InputError(
+                    fmt::format("material {}: texture {} is not one of the scene's {}; correct it, or use -1 for none",
+                                i, texture, scene.textures.size()));
     }
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         const Image<Rgba8>& image = scene.textures[i];

@@ -15,6 +15,7 @@ enum class Feature {
     placed_lights,
     spot_lights,
     highlights,
+    emission,
     textures,
     normals,
     material_numbers,

@@ -109,15 +109,22 @@ int fetch_material_index(int triangle)
 
 Material fetch_material(int index)
 {
-    uvec4 first = texelFetch(kd_tables, 3 * index);
-    uvec4 second = texelFetch(kd_tables, 3 * index + 1);
-    uvec4 third = texelFetch(kd_tables, 3 * index + 2);
+    uvec4 first = texelFetch(kd_tables, 4 * index);
+    uvec4 second = texelFetch(kd_tables, 4 * index + 1);
+    uvec4 third = texelFetch(kd_tables, 4 * index + 2);
     Material m;
     m.diffuse = uintBitsToFloat(first.xyz);
     m.specular = uintBitsToFloat(second.xyz);
     m.reflectance = uintBitsToFloat(third.xyz);
     m.shininess = uintBitsToFloat(first.w);
     m.texture = int(second.w);
+#if KD_EMISSION
+    m.emission = uintBitsToFloat(texelFetch(kd_tables, 4 * index + 3).xyz);
+    m.emission_texture = int(third.w);
+#else
+    m.emission = real3(0, 0, 0);
+    m.emission_texture = -1;
+#endif
     return m;
 }
 
@@ -159,6 +166,7 @@ bool scene_has_normals() { return KD_NORMALS != 0; }
 bool scene_has_textures() { return KD_TEXTURES != 0; }
 bool shadows_enabled() { return KD_SHADOWS != 0; }
 bool scene_has_highlights() { return KD_HIGHLIGHTS != 0; }
+bool scene_has_emission() { return KD_EMISSION != 0; }
 bool scene_has_directional_lights() { return KD_DIRECTIONAL_LIGHTS != 0; }
 bool scene_has_placed_lights() { return KD_PLACED_LIGHTS != 0; }
 bool scene_has_spot_lights() { return KD_SPOT_LIGHTS != 0; }

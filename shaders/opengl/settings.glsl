@@ -36,6 +36,9 @@
 #ifndef KD_HIGHLIGHTS
 #define KD_HIGHLIGHTS 1
 #endif
+#ifndef KD_EMISSION
+#define KD_EMISSION 1
+#endif
 #ifndef KD_DIRECTIONAL_LIGHTS
 #define KD_DIRECTIONAL_LIGHTS 1
 #endif

@@ -10,7 +10,7 @@
 //           int2 fetch_texture_size(int)                    real3 fetch_texel(int texture, int x, int y)
 //           int triangle_count()   int light_count()        int step_budget()
 // Settings: bool scene_has_normals()   bool scene_has_textures()   bool shadows_enabled()   bool scene_has_highlights()
-//           bool scene_has_directional_lights()   bool scene_has_placed_lights()   bool scene_has_spot_lights()
+//           bool scene_has_emission()  bool scene_has_directional_lights()   bool scene_has_placed_lights()   bool scene_has_spot_lights()
 //           real3 scene_ambient()      real3 scene_background()
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)

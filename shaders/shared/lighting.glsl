@@ -1,5 +1,5 @@
 // The lighting equation of the fixed-function pipelines that the paper names (its section 3.2.2): ambient, Lambert
-// diffuse, Blinn-Phong specular; point, directional and spot lights; shadows by one ray per light.
+// diffuse, Blinn-Phong specular, emission; point, directional and spot lights; shadows by one ray per light.
 
 /// Where a light lies as seen from a point: unit direction towards it, distance, and colour reaching the point unshadowed.
 struct LightSample {
@@ -61,16 +61,18 @@ KD_FN real3 reflected_light(IN(Surface) s, IN(LightSample) light, real3 to_viewe
     return light.colour * reflected;
 }
 
-KD_FN real3 ambient_light(IN(Surface) s)
+/// What `s` sends without any light: what is scattered of the light that is everywhere, and what it emits.
+KD_FN real3 own_light(IN(Surface) s)
 {
-    return s.material.diffuse * scene_ambient();
+    real3 scattered = s.material.diffuse * scene_ambient();
+    return scene_has_emission() ? scattered + s.material.emission : scattered;
 }
 
 /// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
 /// `first_blocked` receives the first one's hit that found an occluder.
 KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
 {
-    real3 total = ambient_light(s);
+    real3 total = own_light(s);
     real3 to_viewer = -normalise3(ray.direction);
     int count = light_count();
     for (int i = 0; i < count; ++i) {

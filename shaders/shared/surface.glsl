@@ -49,6 +49,15 @@ KD_FN real3 sample_texture(int texture_index, real2 uv)
     return add_scaled3(scale3(upper, real(1) - fy), lower, fy);
 }
 
+KD_FN void tint_by_textures(IN(Hit) hit, INOUT(Material) material)
+{
+    bool glows = scene_has_emission() && material.emission_texture >= 0;
+    if (material.texture < 0 && !glows) return;
+    real2 uv = fetch_texture_coordinates(hit.triangle, hit.u, hit.v);
+    if (material.texture >= 0) material.diffuse = material.diffuse * sample_texture(material.texture, uv);
+    if (glows) material.emission = material.emission * sample_texture(material.emission_texture, uv);
+}
+
 /// Everything shading needs to know about a hit of `ray`.
 KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
 {
@@ -80,10 +89,7 @@ KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
             if (dot3(s.shading, s.geometric) < real(0)) s.shading = -s.shading;
         }
     }
-    if (scene_has_textures() && s.material.texture >= 0) {
-        real2 uv = fetch_texture_coordinates(hit.triangle, hit.u, hit.v);
-        s.material.diffuse = s.material.diffuse * sample_texture(s.material.texture, uv);
-    }
+    if (scene_has_textures()) tint_by_textures(hit, s.material);
     return s;
 }
 

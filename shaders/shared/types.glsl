@@ -38,13 +38,16 @@ struct PinholeCamera {
     real3 forward;
 };
 
-/// Phong-type surface in display-referred colour, 0..1 per channel. `texture` is -1 for none.
+/// Phong-type surface in display-referred colour, 0..1 per channel; `emission`, what it sends by itself, may be brighter.
+/// `texture` tints what it scatters, `emission_texture` what it emits; -1 for none.
 struct Material {
     real3 diffuse;
     real3 specular;
     real3 reflectance;
+    real3 emission;
     real shininess;
     int texture;
+    int emission_texture;
 };
 
 /// A light; intensity falls with 1 / (attenuation.x + attenuation.y * distance^2). Spot cosines are of half angles.

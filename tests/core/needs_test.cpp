@@ -182,6 +182,18 @@ TEST(SceneNeeds, HighlightsNeedASpecularColour) {
     EXPECT_FALSE(needs_of(with_materials({matte(Vec3(0.5f)), shiny})).highlights) << "nothing has this material";
 }
 
+TEST(SceneNeeds, EmissionNeedsAMaterialThatEmits) {
+    Material lamp = matte(Vec3(0.5f));
+    lamp.emission = Vec3(0, 0, 0.1f);
+    EXPECT_TRUE(needs_of(with_materials({lamp, matte(Vec3(0.5f))})).emission);
+    EXPECT_FALSE(needs_of(with_materials({matte(Vec3(0.5f)), lamp})).emission) << "nothing has this material";
+    // An image that tints nothing is not fetched.
+    lamp.emission_texture = 0;
+    EXPECT_TRUE(needs_of(with_materials({lamp})).textures);
+    lamp.emission = Vec3(0.0f);
+    EXPECT_FALSE(needs_of(with_materials({lamp})).textures);
+}
+
 TEST(SceneNeeds, LeafListsGrowWideWithTheScene) {
     SceneFacts facts;
     facts.triangles = narrow_numbers;  // 0..65535

@@ -31,7 +31,8 @@ TEST(ComputeSettings, SayHowGroupsAreShaped) {
 
 TEST(ComputeSettings, RefuseWhatIsNone) {
     const auto told = [](const char* text) { return refusal([&] { (void)parse_compute_settings(text); }); };
-    constexpr const char* remedy = "; say 16x8, 16x16,linear or 8x4,storage";
+    constexpr const char* remedy =
+        "; say 16x8, or with linear, storage or textures, lists or no-lists, dealt or in-order behind it: 8x4,storage";
     EXPECT_EQ(told("8"), std::string("KDSCOPE_COMPUTE '8': it begins with no size") + remedy);
     EXPECT_EQ(told("0x8"), std::string("KDSCOPE_COMPUTE '0x8': '0' is no number from 1 to 1024") + remedy);
     EXPECT_EQ(told("64x32"), std::string("KDSCOPE_COMPUTE '64x32': a group has at most 1024 pixels") + remedy);

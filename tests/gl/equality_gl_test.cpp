@@ -186,9 +186,16 @@ TEST_P(EqualityOfPassesGl, ThreeBouncesCulled) {
     compare(test::mirror_scene(100, 8), {});
 }
 
-TEST_P(EqualityOfPassesGl, LargeLeavesWithoutShadows) {
+TEST_P(EqualityOfPassesGl, LargeLeavesOfGlowingSurfacesWithoutShadows) {
     config.trace.shadows = false;
-    compare(test::mirror_scene(300, 9), {.leaf_size = 16});
+    FlatScene scene = test::mirror_scene(300, 9);
+    scene.textures.emplace_back(2, 1);
+    scene.textures.back().pixels = {{255, 128, 0, 255}, {10, 200, 90, 255}};
+    for (Material& material : scene.materials) {
+        material.emission = Vec3(0.1f, 0.9f, 1.5f);
+        material.emission_texture = int(scene.textures.size()) - 1;
+    }
+    compare(scene, {.leaf_size = 16});
 }
 
 TEST_P(EqualityOfWalksGl, AxisAlignedCity) {

@@ -206,7 +206,7 @@ TEST_P(FrameGl, RefusesNaiveBeyondTheLoopBudget) {
         (void)draw(8, 8, whole(8, 8));
         FAIL();
     } catch (const InputError& error) {
-        const char* why = mode() == GlMode::wavefront ? "no walk step by step" : "60001 triangles";
+        const char* why = mode() == GlMode::wavefront ? "has no naive" : "60001 triangles";
         EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
     }
     // A leaf of that size is beyond the budget too, and is told pixel by pixel.

@@ -6,6 +6,7 @@
 #include "renderer/gl/pass_programs.h"
 #include "renderer/measure/needs_check.h"
 #include "renderer/measure/needs_costs.h"
+#include "renderer/scene/parts.h"
 #include "tests/gl/gl_test.h"
 
 namespace kd {
@@ -22,7 +23,7 @@ FlatScene plain_scene() {
     scene.has_normals = false;
     scene.lights.resize(1);
     for (TriangleAttributes& a : scene.attributes) a.material = int(scene.materials.size());
-    scene.materials.push_back(Material{Vec3(0.6f, 0.5f, 0.4f), Vec3(0.0f), Vec3(0.0f), 1.0f, -1});
+    scene.materials.push_back(matte(Vec3(0.6f, 0.5f, 0.4f)));
     return scene;
 }
 
@@ -61,12 +62,13 @@ TEST(NeedsCheck, PlainSceneMissesNothing) {
     if (!has_context()) GTEST_SKIP() << "NO CONTEXT";
     auto rows = rows_of(check(plain_scene(), {}));
     for (const char* feature :
-         {"reflections", "many-lights", "directional-lights", "spot-lights", "highlights", "textures", "normals",
-          "material-numbers", "wide-references", "deep-tree", "node-boxes", "leaf-copies", "all"})
+         {"reflections", "many-lights", "directional-lights", "spot-lights", "highlights", "emission", "textures",
+          "normals", "material-numbers", "wide-references", "deep-tree", "node-boxes", "leaf-copies", "all"})
         EXPECT_EQ(rows[std::string("gl-fragment ") + feature], 1) << feature;
-    for (const char* feature : {"reflections", "highlights", "textures", "normals", "node-boxes", "leaf-copies", "all"})
+    for (const char* feature :
+         {"reflections", "highlights", "emission", "textures", "normals", "node-boxes", "leaf-copies", "all"})
         EXPECT_EQ(rows[std::string("cpu ") + feature], 1) << feature;
-    EXPECT_EQ(rows.size(), 22u);
+    EXPECT_EQ(rows.size(), 24u);
 }
 
 TEST(NeedsCheck, NobodyMissesSixteenBytesANode) {
@@ -202,9 +204,9 @@ TEST(NeedsPrograms, EachFeatureThatIsCodeMakesOtherPrograms) {
         settings.needs = scene_needs(facts, trace);
         return program_key(step, settings);
     };
-    for (const Feature feature :
-         {Feature::many_lights, Feature::directional_lights, Feature::spot_lights, Feature::highlights,
-          Feature::textures, Feature::normals, Feature::material_numbers, Feature::deep_tree, Feature::leaf_copies})
+    for (const Feature feature : {Feature::many_lights, Feature::directional_lights, Feature::spot_lights,
+                                  Feature::highlights, Feature::emission, Feature::textures, Feature::normals,
+                                  Feature::material_numbers, Feature::deep_tree, Feature::leaf_copies})
         EXPECT_NE(shading({.forced = feature}, Step::shade_prim), shading({}, Step::shade_prim)) << info(feature).name;
     constexpr TraceConfig packed{.nodes = NodeEncoding::packed};
     TraceConfig wide = packed;

@@ -22,9 +22,10 @@ constexpr int width = 40, height = 30;
 
 TEST(RayQueues, RefuseWalksWithoutSteps) {
     EXPECT_EQ(refusal([] { check_wavefront({}); }), "accepted");
-    EXPECT_EQ(refusal([] { check_wavefront({.traversal = Traversal::naive}); }),
-              "tracer gl-wavefront: no walk step by step is written for naive under rules robust; choose a walk of the "
-              "tree under the robust rules, or --tracer gl-compute");
+    EXPECT_EQ(
+        refusal([] { check_wavefront({.traversal = Traversal::naive}); }),
+        "tracer gl-wavefront: has no naive under robust rules, but each walk of the tree under robust ones; choose "
+        "one of these, or --tracer gl-compute");
     EXPECT_NE(refusal([] { check_wavefront({.rules = Rules::as_published}); }).find("as-published"), std::string::npos);
 }
 

@@ -135,16 +135,45 @@ TEST(G21, UnknownMaterialsBecomeTheDefault) {
 }
 
 TEST(GltfMaterial, TellsWhatItDoesNotShow) {
-    GltfBuilder builder = with_material({{"emissiveFactor", {0, 1, 0}},
-                                         {"alphaMode", "BLEND"},
+    GltfBuilder builder = with_material({{"alphaMode", "BLEND"},
                                          {"normalTexture", {{"index", 0}}},
                                          {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
     builder.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
     const Scene scene = load(builder);
-    EXPECT_TRUE(has_note(scene, "ignored the emission of 1 material"));
     EXPECT_TRUE(has_note(scene, "shown 1 transparent material as opaque"));
     EXPECT_TRUE(has_note(scene, "ignored 1 normal map"));
     EXPECT_TRUE(has_note(scene, "ignored extension KHR_materials_clearcoat"));
+}
+
+TEST(GltfMaterial, ReadsWhatIsEmitted) {
+    GltfBuilder builder =
+        with_material({{"emissiveFactor", {0.25, 1, 0}},
+                       {"emissiveTexture", {{"index", 0}}},
+                       {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2.0}}}}}});
+    builder.json["extensionsUsed"] = {"KHR_materials_emissive_strength"};
+    add_texture(builder, png_of({{255, 0, 0, 255}, {0, 0, 0, 255}}, 2));
+    const Scene scene = load(builder);
+    expect_near(scene.materials.at(0).emission, srgb_encoded({0.5, 2.0, 0.0}));
+    EXPECT_EQ(scene.materials[0].emission_texture, 0);
+    EXPECT_EQ(scene.materials[0].texture, -1);
+    EXPECT_EQ(scene.meshes.at(0).texture_coordinates, (std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(has_note(scene, "ignored extension KHR_materials_emissive_strength"));
+    // Without a factor the image is not asked for.
+    builder.json["materials"][0].erase("emissiveFactor");
+    EXPECT_TRUE(load(builder).textures.empty());
+}
+
+TEST(GltfMaterial, AnEmissiveTextureWithItsOwnCoordinatesCountsByItsMean) {
+    GltfBuilder builder = with_material(
+        {{"emissiveFactor", {1, 1, 1}},
+         {"emissiveTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}}},
+         {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    builder.json["extensionsUsed"] = {"KHR_texture_transform"};
+    add_texture(builder, png_of({{255, 0, 0, 255}, {0, 0, 0, 255}}, 2));
+    const Scene scene = load(builder);
+    expect_near(scene.materials.at(0).emission, {0.5, 0.0, 0.0});
+    EXPECT_EQ(scene.materials[0].emission_texture, -1);
+    EXPECT_TRUE(has_note(scene, "replaced 1 emissive texture by its mean, as it has its own coordinates"));
 }
 
 TEST(GltfMaterial, ReadsSpecularGlossiness) {

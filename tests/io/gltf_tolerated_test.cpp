@@ -155,10 +155,15 @@ TEST(G22, WhatAPictureIsDecidesNotWhatItIsCalled) {
     EXPECT_TRUE(has_note(load(builder), "by white, as it is broken"));
 }
 
-TEST(G23, BlindingEmissionIsToldAsIgnored) {
+TEST(G23, BlindingEmissionIsLimited) {
     GltfBuilder builder = rich_file();
     builder.json["materials"][0]["emissiveFactor"] = {1e9, 0, 0};
-    EXPECT_TRUE(has_note(load(builder), "ignored the emission of 1 material"));
+    const Scene scene = load(builder);
+    EXPECT_TRUE(has_note(scene, "limited material factors outside of 0..1"));
+    EXPECT_EQ(scene.materials.at(0).emission, Vec3(1, 0, 0));
+    builder.json["materials"][0]["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 1e9}};
+    EXPECT_TRUE(has_note(load(builder), "limited the strength of an emission to 0..1000"));
+    EXPECT_LT(load(builder).materials.at(0).emission.x, 20.0f);
 }
 
 TEST(G24, CamerasWithOddPlanesAreUsedAndOthersFitted) {
