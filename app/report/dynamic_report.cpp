@@ -60,10 +60,9 @@ TextTable sides_table(const MotionBench& result) {
 }
 
 /// "3.2 times the rays"; why there is no such number otherwise.
-std::string even_text(const std::optional<BreakEven>& even) {
-    if (!even) return "";
-    if (even->times_rays) return fmt::format("at {} times the rays", short_number(*even->times_rays));
-    return even->saved_build_ms <= 0 ? "never: it saves nothing" : "always: it traces no slower";
+std::string even_text(const BreakEven& even) {
+    if (even.times_rays) return fmt::format("at {} times the rays", short_number(*even.times_rays));
+    return even.saved_build_ms <= 0 ? "never: it saves nothing" : "always: it traces no slower";
 }
 
 /// The first schedule's row of each way.
@@ -82,7 +81,7 @@ TextTable ways_table(const DynamicBench& bench) {
         table.add_row({quality.way, short_number(median_of(quality.sah_cost)),
                        fmt::format("{:.1f} %", 100 * median_of(quality.loss)), fmt::format("{:.1f} %", 100 * worst),
                        even ? decimals_text(even->saved_build_ms, 2) : "",
-                       even ? decimals_text(even->lost_trace_ms, 2) : "", even_text(even)});
+                       even ? decimals_text(even->lost_trace_ms, 2) : "", even ? even_text(*even) : ""});
     }
     return table;
 }
@@ -186,11 +185,12 @@ void print(std::ostream& out, const DynamicBench& bench) {
     ways_table(bench).print(out, width);
     out << fmt::format(
         "\n{} of each row in {}, each after {} warm-up; rows in turn.\n"
-        "ms: from the end of one picture to the end of the next, median; p25 to p75: their middle half; update to\n"
-        "trace: medians of the steps; of serial: the median ratio of rounds with its 95 % interval; latency: from\n"
-        "the moment that the scene is sampled at to the finished picture; loss: SAH cost over that of a tree that {}\n"
-        "makes anew at the same time, median and worst of {}; saved and lost: against {}, {} schedule;\n"
-        "breaks even: so many times the rays a frame make slower tracing cost what building saves.\n",
+        "ms: from the end of one picture to the end of the next, median; p25 to p75: their middle half;\n"
+        "update to trace: medians of the steps; of serial: the median ratio of rounds with its 95 % interval;\n"
+        "latency: from the moment whose scene it shows to the finished picture; loss: SAH cost over that of a\n"
+        "tree that {} makes anew at the same time, median and worst of {};\n"
+        "saved and lost: against {}, {} schedule; breaks even: so many times the rays a\n"
+        "frame make slower tracing cost what building saves.\n",
         counted(bench.plan.frames, "frame"), counted(bench.plan.rounds, "round"), bench.plan.warmup,
         bench.plan.build.builder, counted(bench.plan.quality_samples, "time"), bench.plan.ways.front(),
         name_of(bench.plan.schedules.front()));

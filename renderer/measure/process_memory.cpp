@@ -2,8 +2,11 @@
 
 #include <fstream>
 
+#ifdef __linux__
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#endif
 
 namespace kd {
 
@@ -14,6 +17,13 @@ std::optional<std::int64_t> resident_bytes() {
     if (file >> pages >> resident) return resident * sysconf(_SC_PAGESIZE);
 #endif
     return std::nullopt;
+}
+
+std::optional<std::int64_t> resident_bytes_in_use() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+    return resident_bytes();
 }
 
 std::optional<std::int64_t> peak_resident_bytes() {

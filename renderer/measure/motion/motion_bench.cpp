@@ -31,9 +31,9 @@ class Bench {
         for (int round = 0; round < plan_.rounds && bench_.complete; ++round) {
             bench_.complete =
                 take_turns(bench_.rows.size(), round, [&](std::size_t row) { return run_row(round, row); });
-            if (round == 0) bench_.memory_begin = resident_bytes();
+            if (round == 0) bench_.memory_begin = resident_bytes_in_use();
         }
-        bench_.memory_end = resident_bytes();
+        bench_.memory_end = resident_bytes_in_use();
         bench_.memory_peak = peak_resident_bytes();
         if (bench_.complete) bench_.first_frame_repeats = bit_equal(first, first_frame());
         for (std::size_t i = 0; i < makers_.size() && bench_.complete; ++i) look_at_trees(makers_[i]);

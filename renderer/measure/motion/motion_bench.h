@@ -57,7 +57,7 @@ struct WayQuality {
 struct MotionBench {
     std::vector<MotionRow> rows;  // by way, then by schedule
     std::vector<WayQuality> qualities;
-    /// Bytes that the process holds after the first round, and after the last.
+    /// Bytes that the process uses after the first round and after the last, and held at most.
     std::optional<std::int64_t> memory_begin, memory_end, memory_peak;
     bool first_frame_repeats = true;  // frame 0, traced before and after all rounds, to the last bit
     bool complete = true;             // false where stopped
