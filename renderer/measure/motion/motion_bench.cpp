@@ -43,7 +43,10 @@ class Bench {
 
   private:
     void reserve(PipelineStats& stats) const {
-        const auto take = [&](std::vector<double>& samples) { samples.reserve(std::size_t(plan_.frames)); };
+        const auto take = [&](std::vector<double>& samples) {
+            samples.resize(std::size_t(plan_.frames));  // written to: memory that is only reserved does not count yet
+            samples.clear();
+        };
         take(stats.frame_ms);
         take(stats.latency_ms);
         for (std::vector<double>& samples : stats.step_ms) take(samples);
