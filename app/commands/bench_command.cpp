@@ -10,6 +10,7 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/typed_options.h"
+#include "app/commands/bench_dynamic.h"
 #include "app/commands/bench_peers.h"
 #include "app/commands/commands.h"
 #include "app/frame/counted_frame.h"
@@ -30,6 +31,8 @@ struct BenchOptions : CommonOptions {
     bool naive = false;
     bool json = false;
     bool peers = false;
+    bool dynamic = false;
+    DynamicBenchOptions moving;
 };
 
 using OpenTracer = std::pair<TracerKind, std::unique_ptr<FrameTracer>>;
@@ -186,7 +189,21 @@ int run_peers(const CLI::App& app, const BenchOptions& options, CommandContext& 
     return agree ? exit_ok : exit_check_failed;
 }
 
+int run_dynamic(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    refuse_idle(app, {{"--naive", false, "--dynamic walks the tree; leave one of them out"},
+                      {"--peers", false, "--dynamic times whole frames; leave one of them out"}});
+    DynamicBenchOptions how = options.moving;
+    if (app.count("--rounds") > 0) how.rounds = options.rounds;
+    how.warmup = options.warmup;
+    how.json = options.json;
+    return bench_dynamic(app, options, how, context);
+}
+
 int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    if (options.dynamic) return run_dynamic(app, options, context);
+    const std::string still = "only a moving scene is timed so; add --dynamic";
+    for (const char* option : {"--frames", "--step", "--schedule", "--rebuild", "--build-threads", "--svg"})
+        refuse_idle(app, {{option, false, still}});
     if (options.peers) return run_peers(app, options, context);
     refuse_idle(app,
                 {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
@@ -220,6 +237,9 @@ CommandBody declare(CLI::App& app) {
     app.add_flag(
         "--peers", options->peers,
         "Times rays instead of frames, by the CPU's tracers and by Embree, on one thread unless --threads says");
+    app.add_flag("--dynamic", options->dynamic,
+                 "Times the frames of a moving scene, update and build of each included");
+    add_dynamic_options(app, options->moving);
     app.add_flag("--json", options->json, "JSON instead of a table");
     add_frame_options(app, *options, {.traversal = "all but naive", .tracer = "all"});
     add_camera_options(app, *options);
@@ -236,6 +256,7 @@ Command bench_command() {
             "Examples:\n"
             "  kdscope bench ball:9000 scatter:10000\n"
             "  kdscope bench ball:9000 rooms --peers --builder exact\n"
+            "  kdscope bench sheet:20000 --dynamic --tracer gl-fragment --build-threads 1\n"
             "  kdscope bench rooms --tracer cpu --threads 1 --rounds 31 --json > bench.json\n",
             declare};
 }

@@ -17,7 +17,11 @@ namespace {
 class CpuFrameTracer final : public FrameTracer {
   public:
     CpuFrameTracer(const FlatScene& scene, const KdTree& tree, CpuMode mode, int threads)
-        : tracer_(scene, tree, mode), threads_(threads) {}
+        : mode_(mode), threads_(threads) {
+        load(scene, tree);
+    }
+
+    void load(const FlatScene& scene, const KdTree& tree) final { tracer_.emplace(scene, tree, mode_); }
 
     void prepare(const TraceConfig& config, int width, int height) override {
         (void)make_ready(config, width, height, {});
@@ -29,7 +33,7 @@ class CpuFrameTracer final : public FrameTracer {
         time.complete = make_ready(config, width, height, stop);
         if (!time.complete) return time;
         time.total_ms =
-            wall_ms([&] { time.complete = tracer_.trace_frame(config, camera, frame_, threads_, stop, progress); });
+            wall_ms([&] { time.complete = tracer_->trace_frame(config, camera, frame_, threads_, stop, progress); });
         return time;
     }
 
@@ -43,12 +47,13 @@ class CpuFrameTracer final : public FrameTracer {
     bool make_ready(const TraceConfig& config, int width, int height, const std::stop_token& stop) {
         if (frame_.width != width || frame_.height != height) frame_ = Frame(width, height);
         bool made = false;
-        tables_ms_ += wall_ms([&] { made = tracer_.prepare(config, threads_, stop); });
+        tables_ms_ += wall_ms([&] { made = tracer_->prepare(config, threads_, stop); });
         return made;
     }
 
-    CpuTracer tracer_;
+    std::optional<CpuTracer> tracer_;
     Frame frame_;
+    CpuMode mode_;
     int threads_;
     double tables_ms_ = 0;
 };
@@ -58,14 +63,19 @@ class GlFrameTracer final : public FrameTracer {
     GlFrameTracer(const FlatScene& scene, const KdTree& tree, GlMode mode, const GlChoices& choices)
         : choices_(choices), context_(Context::create(choices.context)),
           tracer_(std::make_unique<GlTracer>(*context_, mode)) {
+        load(scene, tree);
+    }
+    ~GlFrameTracer() override { context_->make_current(); }
+    GlFrameTracer(const GlFrameTracer&) = delete;
+    GlFrameTracer& operator=(const GlFrameTracer&) = delete;
+
+    void load(const FlatScene& scene, const KdTree& tree) final {
+        context_->make_current();
         setup_.upload_ms = wall_ms([&] {
             tracer_->upload(scene, tree);
             context_->gl().Finish();
         });
     }
-    ~GlFrameTracer() override { context_->make_current(); }
-    GlFrameTracer(const GlFrameTracer&) = delete;
-    GlFrameTracer& operator=(const GlFrameTracer&) = delete;
 
     void prepare(const TraceConfig& config, int width, int height) override {
         context_->make_current();
@@ -79,7 +89,8 @@ class GlFrameTracer final : public FrameTracer {
                     const std::function<void(float)>& progress) override {
         context_->make_current();
         warm_up(config, camera, width, height);
-        if (!context_->is_software()) drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
+        if (choices_.wake && !context_->is_software())
+            drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
         return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
     }
 

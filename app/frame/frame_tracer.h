@@ -19,6 +19,9 @@ class FrameTracer {
   public:
     virtual ~FrameTracer() = default;
 
+    /// Another scene and tree, which must outlive their use.
+    virtual void load(const FlatScene& scene, const KdTree& tree) = 0;
+
     /// Makes tables, programs and targets, outside of any timing. InputError where the tracer has to refuse.
     virtual void prepare(const TraceConfig& config, int width, int height) = 0;
 
@@ -41,6 +44,7 @@ struct GlChoices {
     ContextKind context = ContextKind::automatic;
     EarlyZ early_z = EarlyZ::working;
     bool count_shaded = false;
+    bool wake = true;  // a GPU that has idled, before a frame is timed (GlFrameDrawer::wake())
 };
 
 /// `scene` and `tree` must outlive the tracer. `gl` and `threads` matter to GL and to the CPU alone. ContextError.

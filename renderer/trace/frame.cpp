@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "renderer/trace/counters.h"
 
 namespace kd {
 
@@ -32,6 +35,20 @@ std::vector<Tile> tiles_of(int width, int height, int size) {
         for (int x = 0; x < width; x += size)
             tiles.push_back({x, y, std::min(x + size, width), std::min(y + size, height)});
     return tiles;
+}
+
+bool bit_equal(const Frame& a, const Frame& b) {
+    const auto same_layer = [](const RayLayer& x, const RayLayer& y) {
+        return std::ranges::equal(x.hit.pixels, y.hit.pixels,
+                                  [](const Hit& h, const Hit& g) { return bit_equal(h, g); }) &&
+               std::ranges::equal(x.counters.pixels, y.counters.pixels,
+                                  [](const RayCounters& c, const RayCounters& d) { return c == d; });
+    };
+    const auto& u = a.colour.pixels;
+    const auto& v = b.colour.pixels;
+    return a.width == b.width && a.height == b.height && u.size() == v.size() &&
+           (u.empty() || std::memcmp(u.data(), v.data(), u.size() * sizeof(Vec4)) == 0) &&
+           std::ranges::equal(a.layers, b.layers, same_layer);
 }
 
 }  // namespace kd

@@ -39,6 +39,9 @@ struct Frame {
     [[nodiscard]] const RayLayer& layer(Pass pass) const { return layers[static_cast<std::size_t>(pass)]; }
 };
 
+/// Colours, hits and counters, to the last bit.
+[[nodiscard]] bool bit_equal(const Frame& a, const Frame& b);
+
 /// A hit of this frame with its distance in scene units. Where nothing was hit, t stays the limit that it is.
 [[nodiscard]] Hit in_scene_units(const Frame& frame, Hit hit);
 

@@ -1,18 +1,14 @@
 // Cameras and long runs.
 
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <optional>
-#ifdef __linux__
-#include <unistd.h>
-#endif
 
 #include "renderer/measure/path_rays.h"
 #include "renderer/measure/pixel_rays.h"
+#include "renderer/measure/process_memory.h"
 #include "renderer/measure/stability/case_rays.h"
 #include "renderer/measure/stability/cases.h"
 #include "renderer/scene/stress_shapes.h"
@@ -106,27 +102,6 @@ void run_parallel_up(CaseRun& run) {
     run.record("basis", std::int64_t(count), wrong, wrong > 0 ? "right, up and forward are not at right angles" : "");
 }
 
-/// Of this process, in bytes; none where the system does not say or a sanitizer keeps freed memory.
-std::optional<std::int64_t> resident_bytes() {
-#if defined(__linux__) && !defined(KD_SANITIZED)
-    std::ifstream file("/proc/self/statm");
-    std::int64_t pages = 0, resident = 0;
-    if (file >> pages >> resident) return resident * sysconf(_SC_PAGESIZE);
-#endif
-    return std::nullopt;
-}
-
-bool same_hits(const Frame& a, const Frame& b) {
-    for (std::size_t i = 0; i < a.layers[0].hit.pixels.size(); ++i)
-        if (!bit_equal(a.layers[0].hit.pixels[i], b.layers[0].hit.pixels[i])) return false;
-    return true;
-}
-
-bool same_frame(const Frame& a, const Frame& b) {
-    return std::memcmp(a.colour.pixels.data(), b.colour.pixels.data(), a.colour.pixels.size() * sizeof(Vec4)) == 0 &&
-           same_hits(a, b);
-}
-
 void run_long(CaseRun& run) {
     constexpr int size = 8, frames_per_turn = 100;
     const Subject ball = run.subject(stress_sphere(20, 10));
@@ -149,7 +124,7 @@ void run_long(CaseRun& run) {
         const int objects = machine.live_objects();
         const int frames = int(run.rays(100'000)) / frames_per_turn * frames_per_turn;
         for (int i = 0; i < frames; ++i)
-            if (const Frame frame = at(i); i % frames_per_turn == 0 && !same_frame(first, frame))
+            if (const Frame frame = at(i); i % frames_per_turn == 0 && !bit_equal(first, frame))
                 CaseRun::fail(row, fmt::format("frame {} is not the first again", i));
         row.n += frames;
         const std::optional<std::int64_t> after = resident_bytes();
