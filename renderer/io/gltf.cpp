@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <glm/vec4.hpp>
+#include <memory>
+#include <utility>
 
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/gltf_accessor.h"
+#include "renderer/io/gltf_animation.h"
+#include "renderer/io/gltf_deform.h"
 #include "renderer/io/gltf_material.h"
 #include "renderer/io/gltf_mesh.h"
 #include "renderer/io/gltf_node.h"
@@ -18,8 +22,9 @@ namespace kd {
 
 namespace {
 
-/// Instances for all nodes with a mesh; each mesh is added once however many nodes show it.
-void add_instances(GltfContext& context, const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
+/// Instances for all nodes with a mesh; each mesh is added once however many nodes show it, and again for each node
+/// that deforms it. What deforms meshes goes into `rig`.
+void add_instances(GltfContext& context, const tinygltf::Model& model, const std::vector<PlacedNode>& nodes, Rig& rig,
                    Scene& scene) {
     std::vector<std::uint64_t> uses(model.meshes.size(), 0);
     for (const PlacedNode& node : nodes) {
@@ -29,17 +34,40 @@ void add_instances(GltfContext& context, const tinygltf::Model& model, const std
     check_mesh_sizes(context, model, uses);
 
     GltfMaterials materials(context, model, scene);
-    std::vector<std::vector<int>> parts(model.meshes.size());
+    std::vector<std::vector<GltfPart>> parts(model.meshes.size());
     for (std::size_t i = 0; i < model.meshes.size(); ++i) {
         if (uses[i] > 0) parts[i] = add_gltf_mesh(context, model, i, materials, scene);
     }
-    for (const PlacedNode& node : nodes) {
-        const int mesh = model.nodes[node.node].mesh;
-        if (mesh < 0) continue;
-        for (const int part : parts[static_cast<std::size_t>(mesh)]) {
-            scene.instances.push_back({part, glm::mat4(node.to_world)});
+    GltfDeformer deformer(context, model, nodes, rig);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const tinygltf::Node& node = model.nodes[nodes[i].node];
+        if (node.mesh < 0) continue;
+        const auto mesh = static_cast<std::size_t>(node.mesh);
+        for (GltfPart part : parts[mesh]) {
+            const bool deforms = deformer.deforms(node, part);
+            if (deforms && uses[mesh] > 1) {
+                scene.meshes.push_back(scene.meshes[static_cast<std::size_t>(part.mesh)]);
+                part.mesh = static_cast<int>(scene.meshes.size()) - 1;
+            }
+            scene.instances.push_back({part.mesh, glm::mat4(nodes[i].to_world)});
+            rig.node_of_instance.push_back(i);
+            if (deforms) deformer.add(scene, part, i, nodes[i].node);
         }
     }
+}
+
+/// Lets the rig pose scene and nodes as they are at 0 s, and the scene move where the rig does.
+void add_motion(GltfContext& context, const tinygltf::Model& model, Rig rig, std::vector<PlacedNode>& nodes,
+                Scene& scene) {
+    if (rig.channels.empty() && rig.meshes.empty()) return;
+    const auto motion = std::make_shared<const RigMotion>(std::move(rig));
+    motion->pose(scene, 0.0);
+    const std::vector<glm::dmat4> world = motion->to_world(0.0);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].to_world = world[i];
+    if (motion->duration() == 0.0) return;
+    scene.motion = motion;
+    if (!model.cameras.empty() || !model.lights.empty())
+        context.note("kept cameras and lights where they are at 0 s of the animation");
 }
 
 Aabb world_bounds(const Scene& scene) {
@@ -59,12 +87,11 @@ Aabb world_bounds(const Scene& scene) {
 
 Scene convert(GltfContext& context, const tinygltf::Model& model) {
     check_accessors(context, model);
-    const std::vector<PlacedNode> nodes = placed_nodes(context, model);
+    std::vector<PlacedNode> nodes = placed_nodes(context, model);
     Scene scene;
-    add_instances(context, model, nodes, scene);
-    if (!model.animations.empty() || !model.skins.empty()) {
-        context.note("shown skins, morph targets and animations in their static pose");
-    }
+    Rig rig = read_rig(context, model, nodes);
+    add_instances(context, model, nodes, rig, scene);
+    add_motion(context, model, std::move(rig), nodes, scene);
     const Aabb bounds = world_bounds(scene);
     scene.camera = first_camera(context, model, nodes, bounds);
     scene.lights = punctual_lights(context, model, nodes, bounds);

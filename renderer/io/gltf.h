@@ -12,7 +12,7 @@ namespace kd {
 /// True where `path` ends as the name of a glTF file does.
 [[nodiscard]] bool names_gltf(const std::filesystem::path& path);
 
-/// Loads the default scene of a .gltf or .glb file, in its static pose, with meshes, materials (mapped as
+/// Loads the default scene of a .gltf or .glb file, at 0 s of its animations, with meshes, materials (mapped as
 /// renderer/io/gltf_surface.h says), base colour textures, the first perspective camera and punctual lights (scaled as
 /// renderer/io/gltf_view.h says). Files are opened only in the scene's own folder, and nothing is fetched.
 /// InputError: "file: JSON pointer: reason", also where the file asks for more than `limits`. What is skipped or

@@ -16,8 +16,10 @@ struct GltfLimits {
     std::uint64_t triangles = 50'000'000;                       // after instancing
     std::uint64_t vertices = 50'000'000;                        // before it
     std::uint64_t instances = 5'000'000;                        // of primitives
-    std::size_t lights = 64;                                    // more are ignored and counted
-    std::size_t notes = 100;                                    // more are only counted
+    std::uint64_t deformed = 100'000'000;   // vertices of deformed meshes, again for each target and set of joints
+    std::uint64_t key_values = 50'000'000;  // of all animations
+    std::size_t lights = 64;                // more are ignored and counted
+    std::size_t notes = 100;                // more are only counted
 };
 
 }  // namespace kd

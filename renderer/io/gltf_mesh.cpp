@@ -20,10 +20,8 @@ bool is_triangles(const tinygltf::Primitive& primitive) {
            primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-/// The accessor of an attribute, -1 where the primitive has none.
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
-    const auto found = primitive.attributes.find(name);
-    return found != primitive.attributes.end() ? found->second : -1;
+    return find_attribute(primitive.attributes, name);
 }
 
 std::uint64_t element_count(const tinygltf::Model& model, int accessor) {
@@ -163,9 +161,6 @@ std::vector<Vec2> read_uvs(GltfContext& context, const tinygltf::Model& model, c
 
 void note_omissions(GltfContext& context, const tinygltf::Primitive& primitive) {
     if (attribute(primitive, "COLOR_0") >= 0) context.count("ignored the vertex colours of", "primitive");
-    if (!primitive.targets.empty() || attribute(primitive, "JOINTS_0") >= 0) {
-        context.note("shown skins, morph targets and animations in their static pose");
-    }
 }
 
 Mesh convert(GltfContext& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
@@ -214,10 +209,10 @@ void check_mesh_sizes(const GltfContext& context, const tinygltf::Model& model,
     }
 }
 
-std::vector<int> add_gltf_mesh(GltfContext& context, const tinygltf::Model& model, std::size_t index,
-                               GltfMaterials& materials, Scene& scene) {
+std::vector<GltfPart> add_gltf_mesh(GltfContext& context, const tinygltf::Model& model, std::size_t index,
+                                    GltfMaterials& materials, Scene& scene) {
     const tinygltf::Mesh& mesh = model.meshes[index];
-    std::vector<int> added;
+    std::vector<GltfPart> added;
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
         const tinygltf::Primitive& primitive = mesh.primitives[i];
         if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -231,10 +226,25 @@ std::vector<int> add_gltf_mesh(GltfContext& context, const tinygltf::Model& mode
         } else {
             scene.meshes.push_back(convert(context, model, primitive, materials.use(primitive.material)));
             scene.meshes.back().name = printable(mesh.name);
-            added.push_back(static_cast<int>(scene.meshes.size()) - 1);
+            added.push_back({static_cast<int>(scene.meshes.size()) - 1, i});
         }
     }
     return added;
+}
+
+int find_attribute(const std::map<std::string, int>& attributes, const std::string& name) {
+    const auto found = attributes.find(name);
+    return found != attributes.end() ? found->second : -1;
+}
+
+std::vector<Vec3> read_vertex_vectors(GltfContext& context, const tinygltf::Model& model, int accessor,
+                                      std::size_t vertices, const char* noun) {
+    return read_companion<Vec3>(context, model, accessor, vertices, noun);
+}
+
+std::vector<Vec4> read_vertex_quadruples(GltfContext& context, const tinygltf::Model& model, int accessor,
+                                         std::size_t vertices, const char* noun) {
+    return read_companion<Vec4>(context, model, accessor, vertices, noun);
 }
 
 }  // namespace kd

@@ -58,11 +58,11 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
 std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model& model) {
     // Last in, first out, so children are put on in reverse.
     std::vector<PlacedNode> waiting;
-    const auto put = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
+    const auto put = [&](const std::vector<int>& nodes, const glm::dmat4& to_world, int parent) {
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-            waiting.push_back({static_cast<std::size_t>(*node), parent});
+            waiting.push_back({static_cast<std::size_t>(*node), to_world, parent, glm::dmat4(1.0)});
     };
-    put(root_nodes(model), glm::dmat4(1.0));
+    put(root_nodes(model), glm::dmat4(1.0), -1);
 
     std::vector<PlacedNode> placed;
     std::vector<char> seen(model.nodes.size(), 0);
@@ -75,9 +75,10 @@ std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model
         }
         seen[next.node] = 1;
         const tinygltf::Node& node = model.nodes[next.node];
-        next.to_world = next.to_world * local_matrix(context, node);
+        next.to_parent = local_matrix(context, node);
+        next.to_world = next.to_world * next.to_parent;
         placed.push_back(next);
-        put(node.children, next.to_world);
+        put(node.children, next.to_world, static_cast<int>(placed.size()) - 1);
     }
     return placed;
 }

@@ -12,6 +12,8 @@ namespace kd {
 struct PlacedNode {
     std::size_t node;  // in the model
     glm::dmat4 to_world;
+    int parent = -1;       // among the placed ones; -1 for a root
+    glm::dmat4 to_parent;  // or to the world, for a root
 };
 
 /// The nodes of the file's scene (its default one, else the first; all trees where it has no scenes), parents before

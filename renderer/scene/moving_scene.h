@@ -1,6 +1,8 @@
 // A scene at any time, flat.
 #pragma once
 
+#include <utility>
+
 #include "renderer/scene/scene.h"
 
 namespace kd {
@@ -10,6 +12,8 @@ namespace kd {
 class MovingScene {
   public:
     explicit MovingScene(Scene scene);
+    /// Of a scene that does not move.
+    explicit MovingScene(FlatScene still) : at_rest_(std::move(still)) {}
 
     /// Seconds until the motion begins again; 0 where nothing moves.
     [[nodiscard]] double duration() const;
@@ -18,9 +22,13 @@ class MovingScene {
     [[nodiscard]] const FlatScene& at_rest() const { return at_rest_; }
 
     /// At any finite time, also before 0; the motion is repeated. Time in proportion to the scene's size.
-    [[nodiscard]] FlatScene at(double seconds) const;
+    [[nodiscard]] FlatScene at(double seconds) const&;
+    /// Without a copy of what it holds.
+    [[nodiscard]] FlatScene at(double seconds) &&;
 
   private:
+    [[nodiscard]] FlatScene posed(double place) const;
+
     Scene scene_;
     FlatScene at_rest_;
 };

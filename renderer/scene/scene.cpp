@@ -90,11 +90,14 @@ class Flattener {
             if (glm::length(area_vector(a, b, c)) < smallest_area) continue;
             for (const Vec3& p : flat_.triangles[i].corner) bounds.include(p);
             flat_.triangles[kept] = flat_.triangles[i];
+            flat_.kept[kept] = flat_.kept[i];
             flat_.attributes[kept++] = flat_.attributes[i];
         }
         tally_.too_small = std::int64_t(flat_.triangles.size() - kept);
         flat_.triangles.resize(kept);
         flat_.attributes.resize(kept);
+        flat_.kept.resize(kept);
+        if (kept == offered_) flat_.kept = {};
         flat_.bounds = bounds;
     }
 
@@ -102,6 +105,7 @@ class Flattener {
 
   private:
     void add_triangle(const Mesh& mesh, const Placement& placement, const std::array<std::uint32_t, 3>& vertices) {
+        const auto number = std::uint32_t(offered_++);
         std::array<Vec3, 3> local;
         Triangle world;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -119,6 +123,7 @@ class Flattener {
             return;
         }
         flat_.triangles.push_back(world);
+        flat_.kept.push_back(number);
         flat_.attributes.push_back(attributes_of(mesh, placement, vertices, glm::normalize(area)));
         for (const Vec3& corner : world.corner) flat_.bounds.include(corner);
     }
@@ -156,6 +161,7 @@ class Flattener {
     }
 
     FlatScene& flat_;
+    std::size_t offered_ = 0;  // triangles so far, kept or not
     Tally tally_;
 };
 
@@ -207,6 +213,7 @@ FlatScene flatten(const Scene& scene, const FlatScene* like) {
         flattener.add_instance(scene.meshes[std::size_t(instance.mesh)], instance.to_world);
 
     flattener.finish(like);
+    if (like) flat.has_normals = flat.has_normals || like->has_normals;
 
     Tally tally = flattener.tally();
     add_view(scene, like, flat, tally);
@@ -224,5 +231,9 @@ FlatScene flatten(const Scene& scene, const FlatScene* like) {
 FlatScene flatten(const Scene& scene) { return flatten(scene, nullptr); }
 
 FlatScene flatten_like(const Scene& scene, const FlatScene& like) { return flatten(scene, &like); }
+
+bool same_triangles(const FlatScene& a, const FlatScene& b) {
+    return a.triangles.size() == b.triangles.size() && a.kept == b.kept;
+}
 
 }  // namespace kd

@@ -60,6 +60,7 @@ struct FlatScene {
     std::string name;
     std::vector<Triangle> triangles;
     std::vector<TriangleAttributes> attributes;
+    std::vector<std::uint32_t> kept;  // what number each triangle had before some were dropped; empty where none was
     std::vector<Material> materials;  // never empty
     std::vector<Image<Rgba8>> textures;
     std::vector<Light> lights;
@@ -85,8 +86,12 @@ struct FlatScene {
 /// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
 
-/// As flatten(), in the units of `like`, another pose of the scene, and with its camera where the scene has none of its
-/// own.
+/// As flatten(), in the units of `like`, another pose of the scene, with its camera where the scene has none of its
+/// own, and with vertex normals where that has them. A triangle may be degenerate in one pose alone: same_triangles()
+/// tells.
 [[nodiscard]] FlatScene flatten_like(const Scene& scene, const FlatScene& like);
+
+/// Whether triangle numbers mean the same in both, poses of one scene: neither dropped a triangle that the other kept.
+[[nodiscard]] bool same_triangles(const FlatScene& a, const FlatScene& b);
 
 }  // namespace kd

@@ -1,6 +1,12 @@
 // "ball" and "icoball": an open box with one wall removed and a tessellated ball inside (paper, section 4.1, figure 9).
 
+#include <glm/ext/matrix_transform.hpp>
+#include <memory>
+#include <numbers>
+#include <utility>
+
 #include "renderer/scene/flat_shapes.h"
+#include "renderer/scene/motion.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/procedural_table.h"
 #include "renderer/scene/sphere_shapes.h"
@@ -35,10 +41,31 @@ Scene open_box() {
     return scene;
 }
 
+/// The ball turns once about a vertical axis beside its centre, rigidly, so that it circles on the floor between the
+/// walls without touching them.
+class TurningBall : public Motion {
+  public:
+    explicit TurningBall(std::size_t instance) : instance_(instance) {}
+
+    [[nodiscard]] double duration() const override { return 4.0; }
+
+    void pose(Scene& scene, double seconds) const override {
+        const glm::dvec3 axis_foot(0.22, 0.0, -0.16);
+        glm::dmat4 to_world = glm::translate(glm::dmat4(1.0), axis_foot);
+        to_world = glm::rotate(to_world, 2.0 * std::numbers::pi * seconds / duration(), glm::dvec3(0.0, 1.0, 0.0));
+        // Not by a product with the inverse: at 0 this is the identity to the bit.
+        scene.instances[instance_].to_world = glm::mat4(glm::translate(to_world, -axis_foot));
+    }
+
+  private:
+    std::size_t instance_;
+};
+
 Scene with_ball(Mesh ball) {
     Scene scene = open_box();
     ball.name = "ball";
     place(scene, std::move(ball), glossy({0.17f, 0.50f, 0.54f}, 0.30f, 60.0f));
+    scene.motion = std::make_shared<TurningBall>(scene.instances.size() - 1);
     return scene;
 }
 
@@ -61,7 +88,7 @@ ProceduralScene ball_scene() {
             .default_size = 9000,
             .smallest_size = 16,
             .largest_size = 2000000,
-            .summary = "An open box with a ball of meridians and parallels, about N triangles in all.",
+            .summary = "An open box with a ball of meridians and parallels, about N triangles in all; the ball moves.",
             .make = make_ball};
 }
 

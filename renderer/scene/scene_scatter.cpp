@@ -4,9 +4,14 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include "renderer/scene/motion.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/procedural_table.h"
 #include "renderer/scene/random.h"
@@ -55,6 +60,53 @@ glm::dvec3 point_in_view(double edge, Random& random) {
     return {x, y, eye_z - distance};
 }
 
+glm::dvec3 random_direction(Random& random) {
+    const double z = random.between(-1.0, 1.0);
+    const double azimuth = 2.0 * std::numbers::pi * random.unit();
+    const double across = std::sqrt(1.0 - z * z);
+    return {across * std::cos(azimuth), across * std::sin(azimuth), z};
+}
+
+/// All triangles fly from the middle of the view, at most to twice their distance from it, tumble, and come back.
+class Explosion : public Motion {
+  public:
+    Explosion(const std::vector<Mesh>& meshes, unsigned seed) : seed_(seed) {
+        for (const Mesh& mesh : meshes) at_rest_.push_back(mesh.positions);
+    }
+
+    [[nodiscard]] double duration() const override { return 4.0; }
+
+    void pose(Scene& scene, double seconds) const override {
+        const double part = seconds / duration();
+        Random random(seed_);
+        for (std::size_t mesh = 0; mesh < at_rest_.size(); ++mesh) {
+            const std::vector<Vec3>& rest = at_rest_[mesh];
+            for (std::size_t first = 0; first < rest.size(); first += 3)
+                move_triangle(&rest[first], &scene.meshes[mesh].positions[first], part, random);
+        }
+    }
+
+  private:
+    /// `part` of the motion, 0 to 1. Rigidly: a turn about the triangle's centre and a way outwards.
+    static void move_triangle(const Vec3* rest, Vec3* moved, double part, Random& random) {
+        const double speed = random.between(0.4, 1.0);
+        const int turns = random.unit() < 0.5 ? 1 : -1;
+        const glm::dvec3 axis = random_direction(random);
+        const glm::dquat turn = glm::angleAxis(2.0 * std::numbers::pi * turns * part, axis);
+        const glm::dvec3 centre = (glm::dvec3(rest[0]) + glm::dvec3(rest[1]) + glm::dvec3(rest[2])) / 3.0;
+        const glm::dvec3 middle(0.0, 0.0, eye_z - 0.5 * (nearest + furthest));
+        const glm::dvec3 way = speed * std::sin(std::numbers::pi * part) * (centre - middle);
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3 arm = glm::dvec3(rest[i]) - centre;
+            // What the turn adds, so that it adds nothing at all at 0.
+            moved[i] = Vec3(glm::dvec3(rest[i]) + (turn * arm - arm) + way);
+        }
+    }
+
+    std::vector<std::vector<Vec3>> at_rest_;
+    unsigned seed_;
+};
+
 Scene make_scatter(int size, unsigned seed) {
     Scene scene;
     Random random(seed);
@@ -72,6 +124,8 @@ Scene make_scatter(int size, unsigned seed) {
         place(scene, std::move(bands[i]), matte(colours_by_depth[i]));
     }
 
+    scene.motion = std::make_shared<Explosion>(scene.meshes, seed);
+
     scene.ambient = Vec3(0.20f);
     scene.background = Vec3(0.07f, 0.08f, 0.10f);
     scene.lights.push_back(point_light({1.2f, 1.8f, float(eye_z)}, Vec3(0.80f)));
@@ -87,7 +141,8 @@ ProceduralScene scatter_scene() {
             .default_size = 10000,
             .smallest_size = 1,
             .largest_size = 2000000,
-            .summary = "N separate triangles of a few pixels each, all in view: neighbouring rays go separate ways.",
+            .summary = "N separate triangles of a few pixels each, all in view: neighbouring rays go separate ways; "
+                       "they fly apart and come back.",
             .make = make_scatter,
             .seeded = true};
 }

@@ -19,7 +19,7 @@ done
 
 choose "top/scene" skinned.glb
 wait_for '^scene.name=skinned.glb$'
-wait_for '^messages.*=.*skinned.glb: shown skins, morph targets and animations in their static pose'
+wait_for '^messages.*=.*skinned.glb: ignored 1 animation channel, whose times are not SCALAR of float'
 see_picture skinned.png
 stop_window
 echo "passed"

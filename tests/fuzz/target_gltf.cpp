@@ -2,6 +2,7 @@
 #include "renderer/io/gltf.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/kdtree/validate.h"
+#include "renderer/scene/moving_scene.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/targets.h"
 
@@ -19,6 +20,8 @@ constexpr GltfLimits small_limits{.json_values = 20'000,
                                   .triangles = 300,
                                   .vertices = 3000,
                                   .instances = 300,
+                                  .deformed = 30'000,
+                                  .key_values = 3000,
                                   .lights = 8,
                                   .notes = 20};
 
@@ -42,7 +45,9 @@ void gltf(std::string_view bytes) {
     // The folder does not exist, so that no input can make the loader read a file of this machine.
     const std::string file = bytes.starts_with('{') ? "no-such-folder/fuzz.gltf" : "no-such-folder/fuzz.glb";
     try {
-        check(flatten(decode_gltf(bytes, file, small_limits)));
+        const MovingScene scene(decode_gltf(bytes, file, small_limits));
+        check(scene.at_rest());
+        if (scene.duration() > 0.0) check(scene.at(0.6 * scene.duration()));
     } catch (const InputError& error) {
         promise_one_line(error.what());
         promise(std::string_view(error.what()).starts_with(file + ": "), "errors name the file");

@@ -1,8 +1,12 @@
 // The glTF models, good and broken, that Debian ships as assimp-testmodels.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
 
 #include "renderer/io/gltf.h"
+#include "renderer/scene/motion.h"
+#include "renderer/scene/moving_scene.h"
 #include "tests/io/scratch.h"
 
 namespace kd {
@@ -74,6 +78,30 @@ TEST(Models, BoxTexturedIsTheSameInEveryPacking) {
         EXPECT_EQ(other->meshes[0].texture_coordinates, text.meshes[0].texture_coordinates);
         EXPECT_EQ(other->meshes[0].indices, text.meshes[0].indices);
     }
+}
+
+TEST(Models, SimpleSkinBends) {
+    NEEDS_MODELS();
+    const Scene rest = load_gltf(models / "simple_skin" / "simple_skin.gltf");
+    ASSERT_TRUE(rest.motion);
+    EXPECT_EQ(rest.motion->duration(), 5.5);
+    EXPECT_TRUE(rest.notes.empty());
+    // Both joints stand at y = 1 and hold the mesh by (0.5, 1); after a second the upper one has turned a right angle.
+    EXPECT_EQ(rest.meshes.at(0).positions.at(8), Vec3(-0.5f, 2, 0));
+    Scene bent = rest;
+    bent.motion->pose(bent, 1.0);
+    EXPECT_EQ(bent.meshes.at(0).positions.at(0), Vec3(-0.5f, 0, 0));
+    EXPECT_LT(glm::distance(bent.meshes[0].positions.at(8), Vec3(-1, 0.5f, 0)), 1e-3f) << "its keys have 3 digits";
+}
+
+TEST(Models, AnimatedMorphCubeGrowsAndShrinks) {
+    NEEDS_MODELS();
+    const MovingScene scene(
+        load_gltf(models / "glTF-Sample-Models" / "AnimatedMorphCube-glTF" / "AnimatedMorphCube.gltf"));
+    EXPECT_NEAR(scene.duration(), 4.2, 1e-3);
+    std::set<double> areas;
+    for (int i = 0; i < 8; ++i) areas.insert(scene.at(scene.duration() * i / 8).bounds.surface_area());
+    EXPECT_GE(areas.size(), 4u);
 }
 
 TEST(Models, ClearCoatHasManyNodes) {
