@@ -37,7 +37,7 @@ std::vector<Tile> tiles_of(int width, int height, int size) {
     return tiles;
 }
 
-bool bit_equal(const Frame& a, const Frame& b) {
+bool same_frame(const Frame& a, const Frame& b) {
     const auto same_layer = [](const RayLayer& x, const RayLayer& y) {
         return std::ranges::equal(x.hit.pixels, y.hit.pixels,
                                   [](const Hit& h, const Hit& g) { return bit_equal(h, g); }) &&

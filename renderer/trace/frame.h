@@ -40,7 +40,7 @@ struct Frame {
 };
 
 /// Colours, hits and counters, to the last bit.
-[[nodiscard]] bool bit_equal(const Frame& a, const Frame& b);
+[[nodiscard]] bool same_frame(const Frame& a, const Frame& b);
 
 /// A hit of this frame with its distance in scene units. Where nothing was hit, t stays the limit that it is.
 [[nodiscard]] Hit in_scene_units(const Frame& frame, Hit hit);

@@ -35,7 +35,7 @@ class Bench {
         }
         bench_.memory_end = resident_bytes_in_use();
         bench_.memory_peak = peak_resident_bytes();
-        if (bench_.complete) bench_.first_frame_repeats = bit_equal(first, first_frame());
+        if (bench_.complete) bench_.first_frame_repeats = same_frame(first, first_frame());
         for (std::size_t i = 0; i < makers_.size() && bench_.complete; ++i) look_at_trees(makers_[i]);
         bench_.complete &= !stop_.stop_requested();
         return std::move(bench_);

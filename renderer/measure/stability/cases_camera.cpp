@@ -124,7 +124,7 @@ void run_long(CaseRun& run) {
         const int objects = machine.live_objects();
         const int frames = int(run.rays(100'000)) / frames_per_turn * frames_per_turn;
         for (int i = 0; i < frames; ++i)
-            if (const Frame frame = at(i); i % frames_per_turn == 0 && !bit_equal(first, frame))
+            if (const Frame frame = at(i); i % frames_per_turn == 0 && !same_frame(first, frame))
                 CaseRun::fail(row, fmt::format("frame {} is not the first again", i));
         row.n += frames;
         const std::optional<std::int64_t> after = resident_bytes();
