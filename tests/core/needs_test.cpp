@@ -189,9 +189,9 @@ TEST(SceneNeeds, EmissionNeedsAMaterialThatEmits) {
     EXPECT_FALSE(needs_of(with_materials({matte(Vec3(0.5f)), lamp})).emission) << "nothing has this material";
     // An image that tints nothing is not fetched.
     lamp.emission_texture = 0;
-    EXPECT_TRUE(needs_of(with_materials({lamp})).textures);
+    EXPECT_TRUE(needs_of(with_materials({lamp, matte(Vec3(0.5f))})).textures);
     lamp.emission = Vec3(0.0f);
-    EXPECT_FALSE(needs_of(with_materials({lamp})).textures);
+    EXPECT_FALSE(needs_of(with_materials({lamp, matte(Vec3(0.5f))})).textures);
 }
 
 TEST(SceneNeeds, LeafListsGrowWideWithTheScene) {
