@@ -17,8 +17,7 @@ std::string summary_of(TracerKind tracer) {
                    "in textures.";
         case gl_compute:
             return "The same four passes as compute shaders, with the tree in the same textures "
-                   "(KDSCOPE_COMPUTE=storage "
-                   "puts it into storage buffers).";
+                   "(KDSCOPE_COMPUTE=8x8,storage puts it into storage buffers).";
         case gl_wavefront:
             return "Small kernels with the state of every ray in buffers (Purcell et al. 2002): the design that the "
                    "paper argues against.";

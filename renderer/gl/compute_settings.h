@@ -27,9 +27,9 @@ struct ComputeSettings {
     bool operator==(const ComputeSettings&) const = default;
 };
 
-/// "16x8", "16x16,linear", "8x4,storage", "8x8,textures,lists", "8x8,no-lists,in-order"; "16x8" is in
-/// Morton order where that fills it. InputError with one line where it is none of these, or where a group has more than
-/// 1024 pixels (what OpenGL 4.3 promises).
+/// "16x8", "16x16,linear", "8x4,storage", "8x8,textures,lists", "8x8,no-lists,in-order"; "16x8" is in Morton order
+/// where that fills it. InputError with one line where it is none of these, or where a group has more than 1024 pixels
+/// (what OpenGL 4.3 promises).
 [[nodiscard]] ComputeSettings parse_compute_settings(std::string_view text);
 
 /// What the environment variable KDSCOPE_COMPUTE says, the default where it is not set.

@@ -27,10 +27,10 @@ struct GlLimits {
     std::int64_t storage_bytes = std::numeric_limits<std::int64_t>::max();
 };
 
-/// What uploading asks for.
 // Of the table of materials, lights and images (shaders/opengl/scene_hooks.glsl).
 inline constexpr int texels_per_material = 4, texels_per_light = 4;
 
+/// What uploading asks for.
 struct UploadSizes {
     std::int64_t nodes = 0, references = 0, triangles = 0, lights = 0, texels = 0, table_texels = 0;
 };

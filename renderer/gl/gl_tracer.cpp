@@ -49,7 +49,7 @@ GlTracer::Impl::Impl(Context& context, GlMode how)
         if (compute.storage) limits.storage_bytes = bytes;
     }
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counts.id());
-    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, 2 * sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
+    gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(GLuint), nullptr, GL_DYNAMIC_READ);
     check_gl(gl, "making a tracer");
 }
 
@@ -77,9 +77,9 @@ GLuint GlTracer::Impl::program(Step step, const ProgramSettings& settings) {
 }
 
 void GlTracer::Impl::reset_counts() const {
-    constexpr std::array<GLuint, 2> none{};
+    constexpr GLuint none = 0;
     gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, counts_buffer, counts.id());
-    gl.BufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof none, none.data());
+    gl.BufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof none, &none);
 }
 
 void GlTracer::Impl::draw_quad() const {

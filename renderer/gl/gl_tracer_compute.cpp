@@ -38,7 +38,7 @@ class ComputedPasses : public FramePasses {
         settings_.listed = t_.lists_pixels && pass != Pass::rt_prim;
         if (makes_list(pass)) {
             (void)list_program(pass);
-            if (may_shade_all(pass)) (void)t_.program(step_of(pass), over_all(settings_));
+            if (may_shade_all(pass)) (void)program(step_of(pass), false);
         }
         if (t_.mode == GlMode::wavefront)
             (void)t_.wavefront_programs(step_of(pass), settings_);
@@ -61,7 +61,7 @@ class ComputedPasses : public FramePasses {
         if (makes_list(pass)) {
             list_pixels(pass);
             if (may_shade_all(pass) && t_.pixels.filled(gl_, settings_.compute.y) > full_enough)
-                settings_ = over_all(settings_);
+                settings_.listed = false;
         }
         gl_.UseProgram(t_.program(step_of(pass), settings_));
         run_over(settings_.listed);
@@ -83,18 +83,18 @@ class ComputedPasses : public FramePasses {
     [[nodiscard]] static bool may_shade_all(Pass pass) { return pass == Pass::shade_prim; }
     static constexpr double full_enough = 0.9;
 
-    [[nodiscard]] static ProgramSettings over_all(ProgramSettings settings) {
-        settings.listed = false;
-        return settings;
-    }
-
     /// Only what was hit can reflect, and only what has reflected can reflect again.
     [[nodiscard]] static bool lists_out_of_list(Pass pass) { return pass == Pass::rt_refl; }
 
     [[nodiscard]] GLuint list_program(Pass pass) const {
+        return program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, lists_out_of_list(pass));
+    }
+
+    /// Over a list or over all pixels, whatever this pass does.
+    [[nodiscard]] GLuint program(Step step, bool listed) const {
         ProgramSettings settings = settings_;
-        settings.listed = lists_out_of_list(pass);
-        return t_.program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, settings);
+        settings.listed = listed;
+        return t_.program(step, settings);
     }
 
     void list_pixels(Pass pass) {

@@ -121,11 +121,8 @@ class ChannelReader {
 
 Rig read_rig(GltfContext& context, const tinygltf::Model& model, const std::vector<PlacedNode>& nodes) {
     Rig rig;
-    std::vector<int> place(model.nodes.size(), -1);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        place[nodes[i].node] = int(i);
-        rig.nodes.push_back(rig_node(nodes[i], model.nodes[nodes[i].node]));
-    }
+    for (const PlacedNode& placed : nodes) rig.nodes.push_back(rig_node(placed, model.nodes[placed.node]));
+    const std::vector<int> place = places_of(nodes, model);
     ChannelReader reader(context, model);
     for (const tinygltf::Animation& animation : model.animations) {
         for (const tinygltf::AnimationChannel& channel : animation.channels) {

@@ -27,8 +27,7 @@ int joint_set_count(const tinygltf::Primitive& primitive) {
 GltfDeformer::GltfDeformer(GltfContext& context, const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
                            Rig& rig)
     : context_(context), model_(model), rig_(rig), skins_(model.skins.size(), -1) {
-    std::vector<int> place(model.nodes.size(), -1);
-    for (std::size_t i = 0; i < nodes.size(); ++i) place[nodes[i].node] = int(i);
+    const std::vector<int> place = places_of(nodes, model);
     for (std::size_t i = 0; i < model.skins.size(); ++i)
         if (add_skin(model.skins[i], place)) skins_[i] = int(rig_.skins.size()) - 1;
 }

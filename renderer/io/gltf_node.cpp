@@ -83,4 +83,10 @@ std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model
     return placed;
 }
 
+std::vector<int> places_of(const std::vector<PlacedNode>& nodes, const tinygltf::Model& model) {
+    std::vector<int> places(model.nodes.size(), -1);
+    for (std::size_t i = 0; i < nodes.size(); ++i) places[nodes[i].node] = static_cast<int>(i);
+    return places;
+}
+
 }  // namespace kd

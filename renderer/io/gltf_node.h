@@ -20,4 +20,7 @@ struct PlacedNode {
 /// their children, in the file's order. InputError where a node is reached twice: nodes must form trees.
 [[nodiscard]] std::vector<PlacedNode> placed_nodes(GltfContext& context, const tinygltf::Model& model);
 
+/// For each node of the model its number among the placed ones; -1 for one that the scene does not show.
+[[nodiscard]] std::vector<int> places_of(const std::vector<PlacedNode>& nodes, const tinygltf::Model& model);
+
 }  // namespace kd

@@ -4,16 +4,15 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "renderer/geometry/cofactors.h"
+
 namespace kd {
 
 namespace {
 
-/// By the inverse transpose: the cofactors over the determinant, of which a normal needs the sign alone.
-glm::dvec3 turned_normal(const glm::dmat4& m, glm::dvec3 normal) {
-    const glm::dvec3 a(m[0]), b(m[1]), c(m[2]);
-    const glm::dmat3 cofactors(glm::cross(b, c), glm::cross(c, a), glm::cross(a, b));
-    const double sign = glm::dot(a, cofactors[0]) < 0.0 ? -1.0 : 1.0;
-    const glm::dvec3 turned = sign * (cofactors * normal);
+glm::dvec3 turned_normal(const glm::dmat3& m, glm::dvec3 normal) {
+    const glm::dmat3 of_m = cofactors(m);
+    const glm::dvec3 turned = handedness(m, of_m) * (of_m * normal);
     const double length = glm::length(turned);
     return length > 0.0 ? turned / length : normal;
 }
@@ -51,7 +50,8 @@ void Deformable::skin(std::span<const glm::dmat4> matrices, Mesh& mesh) const {
         if (!(sum > 0.0)) continue;
         matrix /= sum;
         mesh.positions[vertex] = Vec3(glm::dvec3(matrix * glm::dvec4(mesh.positions[vertex], 1.0)));
-        if (!mesh.normals.empty()) mesh.normals[vertex] = Vec3(turned_normal(matrix, glm::dvec3(mesh.normals[vertex])));
+        if (!mesh.normals.empty())
+            mesh.normals[vertex] = Vec3(turned_normal(glm::dmat3(matrix), glm::dvec3(mesh.normals[vertex])));
     }
 }
 

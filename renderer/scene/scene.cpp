@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/geometry/cofactors.h"
 #include "renderer/scene/parts.h"
 #include "renderer/scene/scene_check.h"
 #include "renderer/scene/units.h"
@@ -28,17 +29,16 @@ struct Tally {
 struct Placement {
     glm::dmat3 linear;
     glm::dvec3 translation;
-    glm::dmat3 cofactors;   // maps cross products: cofactors * (a x b) = (linear * a) x (linear * b)
-    double handedness = 1;  // -1 for a mirror image
+    glm::dmat3 cofactors;
+    double handedness = 1;
 };
 
 Placement placement_of(const glm::mat4& to_world) {
     Placement p;
     p.linear = glm::dmat3(glm::dvec3(to_world[0]), glm::dvec3(to_world[1]), glm::dvec3(to_world[2]));
     p.translation = glm::dvec3(to_world[3]);
-    p.cofactors = glm::dmat3(glm::cross(p.linear[1], p.linear[2]), glm::cross(p.linear[2], p.linear[0]),
-                             glm::cross(p.linear[0], p.linear[1]));
-    p.handedness = glm::dot(p.linear[0], p.cofactors[0]) < 0.0 ? -1.0 : 1.0;
+    p.cofactors = cofactors(p.linear);
+    p.handedness = handedness(p.linear, p.cofactors);
     return p;
 }
 
@@ -141,7 +141,6 @@ class Flattener {
         return attributes;
     }
 
-    /// By the inverse transpose, which is the cofactors over the determinant; only its sign matters to a unit vector.
     Vec3 world_normal(const Placement& placement, Vec3 normal, glm::dvec3 geometric) {
         const glm::dvec3 turned = placement.handedness * (placement.cofactors * glm::dvec3(normal));
         const double length = glm::length(turned);

@@ -123,9 +123,8 @@
 #define KD_LOOP_LIMIT 0
 #endif
 
-// Compute shaders: pixels of a work group each way; 1: in Morton order;
-// 1: only pixels of a list, made by another kernel; 1: groups are dealt to a software renderer's threads; 1: what walks read
-// lies in storage buffers, 0: in textures.
+// Compute shaders: pixels of a work group each way; 1: in Morton order; 1: what walks read lies in storage buffers, 0: in
+// textures; 1: only pixels of a list, made by another kernel; 1: groups are dealt to a software renderer's threads.
 #ifndef KD_GROUP_X
 #define KD_GROUP_X 8
 #endif
