@@ -176,9 +176,16 @@ TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
     // A frame of a tree that is about to be replaced is shown, but answers nothing, or what was asked for before.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
-    return {state_.world,    s.trace,   s.tracer,
-            camera_in_use(), s.width,   s.height,
-            s.threads,       s.early_z, current ? state_.generation : meantime_generation_};
+    return {state_.world,
+            s.trace,
+            s.tracer,
+            camera_in_use(),
+            s.width,
+            s.height,
+            s.threads,
+            s.early_z,
+            current ? state_.generation : meantime_generation_,
+            {s.samples, s.sample_error}};
 }
 
 void Engine::start_trace() {

@@ -38,7 +38,8 @@ FigureFacts facts_of(const EngineState& state) {
             .width = traced.frame->width,
             .height = traced.frame->height,
             .milliseconds = traced.time.total_ms,
-            .clock = traced.clock};
+            .clock = traced.clock,
+            .samples = traced.samples ? traced.samples->samples : 0};
 }
 
 std::string title_of(const EngineState& state) {
@@ -98,6 +99,7 @@ Json summary_json(const EngineState& state, const std::optional<MeasuredOn>& on)
                          .clock = traced.clock,
                          .left_out = traced.left_out,
                          .judged = state.judged(),
+                         .samples = traced.samples,
                          .on = on});
 }
 
@@ -110,8 +112,7 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
     if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
-    if (what == Action::export_json)
-        write_file(path, json_text(summary_json(state, machine_of(state))));
+    if (what == Action::export_json) write_file(path, json_text(summary_json(state, machine_of(state))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
     if (!bare && !is_complete_for(traced, state.picture->view, true))
