@@ -70,6 +70,7 @@ template <class Visitor, class AnySession>
 void visit_session(Visitor& v, AnySession& s) {
     v.text("scene", s.scene);
     v.number("seed", s.seed, limits::seed);
+    v.number("time", s.time, limits::time);
     v.number("width", s.width, limits::side);
     v.number("height", s.height, limits::side);
     v.choice("tracer", s.tracer, choices::tracers());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ostream>
 
 #include "app/cli/hand_split_option.h"
 #include "app/cli/typed_options.h"
@@ -20,7 +21,7 @@ namespace {
 /// What is wrong with the scene of a session file is told with its place there.
 FlatScene loaded_scene(const CommonOptions& options, const Session& session) {
     try {
-        return load_scene(session.scene, session.seed);
+        return load_scene(session.scene, session.seed, session.time);
     } catch (const InputError& error) {
         // Commands with scenes of their own, as `gallery`, take none.
         if (options.scenes.empty() || !names_session(options.scenes.front())) throw;
@@ -211,9 +212,15 @@ void add_machine_options(CLI::App& app, CommonOptions& o) {
                fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
 }
 
+void add_time_option(CLI::App& app, CommonOptions& o) {
+    add_number(app, "--time", o.session.time, limits::time,
+               "Seconds into the scene's motion, which repeats; also before 0 [0]");
+}
+
 void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults) {
     add_size_option(app, options);
     add_machine_options(app, options);
+    add_time_option(app, options);
     add_tracing_options(app, options, defaults);
     add_shading_options(app, options, defaults);
     add_tree_options(app, options, defaults);
@@ -295,8 +302,11 @@ Session starting_session(const CLI::App& app, const CommonOptions& options, cons
     return session;
 }
 
-FlatScene open_scene(const CommonOptions& options, Session& session) {
+FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context) {
     FlatScene scene = loaded_scene(options, session);
+    if (session.time != 0.0 && scene.duration == 0.0)
+        context.err << fmt::format("kdscope: note: --time has no effect: nothing in {} moves\n",
+                                   printable(session.scene, 1000));
     session.build.by_hand = to_internal(scene, std::move(session.build.by_hand));
     Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);

@@ -147,7 +147,7 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     BenchScene bench;
     bench.session = options.session_for(name);
     check_frame_memory(bench.session.width, bench.session.height);
-    bench.scene = open_scene(options, bench.session);
+    bench.scene = open_scene(options, bench.session, context);
     bench.tree =
         build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop, bench.session.threads);
     check_stop(context);

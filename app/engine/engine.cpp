@@ -67,12 +67,13 @@ void Engine::set_session(const Session& wanted) {
     if (next == before) return;
     state_.session = next;
     ++state_.generation;
-    const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
+    const bool other_scene = next.scene != before.scene || next.seed != before.seed;
+    const bool scene_changed = other_scene || next.time != before.time;
     if (scene_changed && !state_.loading.active) {
         camera_before_load_ = before.camera;
         planes_before_load_ = before.build.by_hand;
     }
-    if (scene_changed) opened_.reset();
+    if (other_scene) opened_.reset();
     if (scene_changed)
         start_load();
     else if (next.build != before.build)

@@ -19,8 +19,21 @@ namespace {
 constexpr double longest_finished_ms = 300;  // of a build that is let finish though another is asked for
 constexpr double longest_paint_ms = 40;      // above it a sketch comes first
 
-bool asks_for(const Session& session, const LoadedScene& scene) {
-    return session.scene == scene.name && session.seed == scene.seed;
+/// `known` is a scene loaded before, or null: at another time it need not be read again.
+std::shared_ptr<const LoadedScene> load(const Session& wanted, const std::shared_ptr<const LoadedScene>& known) {
+    auto loaded = std::make_shared<LoadedScene>(LoadedScene{wanted.scene, wanted.seed, {}, wanted.time});
+    if (known && known->moving && known->name == wanted.scene && known->seed == wanted.seed)
+        loaded->moving = known->moving;
+    else {
+        MovingScene opened = open_moving_scene(wanted.scene, wanted.seed);
+        if (opened.duration() == 0.0) {
+            loaded->flat = std::move(opened).at(0.0);
+            return loaded;
+        }
+        loaded->moving = std::make_shared<const MovingScene>(std::move(opened));
+    }
+    loaded->flat = loaded->moving->at(wanted.time);
+    return loaded;
 }
 
 /// Whether what the map needs beside the frame exists at all.
@@ -32,8 +45,7 @@ bool can_be_made(const MapConfig& map) {
 }  // namespace
 
 void Engine::start_load() {
-    const std::string name = state_.session.scene;
-    const unsigned seed = state_.session.seed;
+    const Session wanted = state_.session;
     builder_.cancel();
     state_.building = {};
     build_waits_ = false;
@@ -46,17 +58,19 @@ void Engine::start_load() {
         return;
     }
     state_.loading = {true, 0};
-    state_.loading_name = name;
-    loader_.submit([this, name, seed](const std::stop_token&) {
+    state_.loading_name = wanted.scene;
+    loader_.submit([this, wanted, known = scene_](const std::stop_token&) {
         std::shared_ptr<const LoadedScene> loaded;
         std::string error;
         try {
-            loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
+            loaded = load(wanted, known);
         } catch (const std::exception& e) {
-            error = error_text(e, name);
+            error = error_text(e, wanted.scene);
         }
-        mailbox_.post([this, name, seed, loaded, error] {
-            if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
+        mailbox_.post([this, wanted, loaded, error] {
+            const Session& now = state_.session;
+            const bool other_time = !loaded || loaded->moving ? now.time != wanted.time : false;
+            if (now.scene != wanted.scene || now.seed != wanted.seed || other_time) return;  // no longer wanted
             if (loaded)
                 finish_load(loaded);
             else
@@ -67,7 +81,9 @@ void Engine::start_load() {
 
 void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
+    const bool only_moved = scene_ && scene_->moving && scene_->moving == loaded->moving;
     scene_ = std::move(loaded);
+    if (only_moved) return start_build();
     if (names_gltf(scene_->name)) duels_.forget();  // the file may have changed since it was read before
     take_opened_lengths(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
@@ -85,6 +101,7 @@ void Engine::fail_load(const std::string& reason) {
         back.height = state_.session.height;
         back.scene = state_.world->loaded->name;
         back.seed = state_.world->loaded->seed;
+        back.time = state_.world->loaded->time;
         back.camera = camera_before_load_;
         back.build.by_hand = planes_before_load_;
         set_session(back);

@@ -285,6 +285,7 @@ void compare(Edit& edit) {
     if (shown.scene != before.scene) shown.build.by_hand.clear();  // of another tree
     shown.scene = before.scene;
     shown.seed = before.seed;
+    shown.time = before.time;
     shown.camera = before.camera;
     shown.width = before.width;
     shown.height = before.height;

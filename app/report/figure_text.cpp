@@ -5,6 +5,7 @@
 #include <version.h>
 
 #include "app/report/json_values.h"
+#include "app/scenes.h"
 #include "app/tracer_choices.h"
 #include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
@@ -100,9 +101,9 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
 std::string caption_of(const FigureFacts& f) {
     return fmt::format(
         "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
-        f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build), walk_text(f.trace),
-        info(rules_in_force(f.trace)).name, leaf_lists_text(f), nodes_text(f.trace), differences(f), tracer_text(f),
-        f.width, f.height, time_text(f), build::version);
+        scene_text(f.scene, f.time, f.duration), number_text(double(f.triangles)), f.triangles == 1 ? "" : "s",
+        tree_text(f.build), walk_text(f.trace), info(rules_in_force(f.trace)).name, leaf_lists_text(f),
+        nodes_text(f.trace), differences(f), tracer_text(f), f.width, f.height, time_text(f), build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

@@ -12,6 +12,7 @@ namespace kd {
 /// How the frame of a figure came about.
 struct FigureFacts {
     std::string scene;
+    double time = 0, duration = 0;  // seconds of its motion; 0 where it does not move
     std::size_t triangles = 0;
     BuildConfig build;
     TraceConfig trace;

@@ -25,7 +25,7 @@ class FieldWriter {
     void point(const char* key, Vec3 value) { json[key] = json_of(value); }
     template <class T>
     void number(const char* key, T value, const Limits<T>&) {
-        if constexpr (std::is_floating_point_v<T>)
+        if constexpr (std::is_same_v<T, float>)
             json[key] = json_number(value);
         else
             json[key] = value;
@@ -119,6 +119,8 @@ Json json_of(const FlatScene& scene) {
               {"materials", scene.materials.size()},
               {"textures", scene.textures.size()},
               {"lights", scene.lights.size()},
+              {"duration", scene.duration},
+              {"time", scene.time},
               {"notes", scene.notes}};
     json["bounds"] = scene.bounds.empty() ? Json(nullptr)
                                           : Json{{"lower", json_of(to_scene_units(scene, scene.bounds.lower))},
