@@ -19,7 +19,9 @@ struct Limits {
     [[nodiscard]] constexpr bool hold(T value) const { return value >= low && value <= high; }
     /// "a whole number from 1 to 8".
     [[nodiscard]] std::string text() const {
-        if (low == std::numeric_limits<T>::lowest() && high == std::numeric_limits<T>::max()) return "a finite number";
+        if constexpr (std::same_as<T, double>)
+            if (low == std::numeric_limits<T>::lowest() && high == std::numeric_limits<T>::max())
+                return "a finite number";
         return fmt::format("a {} from {} to {}", std::integral<T> ? "whole number" : "number", low, high);
     }
 };

@@ -19,9 +19,9 @@ namespace kd {
 namespace {
 
 /// What is wrong with the scene of a session file is told with its place there.
-FlatScene loaded_scene(const CommonOptions& options, const Session& session) {
+MovingScene loaded_scene(const CommonOptions& options, const Session& session) {
     try {
-        return load_scene(session.scene, session.seed, session.time);
+        return open_moving_scene(session.scene, session.seed);
     } catch (const InputError& error) {
         // Commands with scenes of their own, as `gallery`, take none.
         if (options.scenes.empty() || !names_session(options.scenes.front())) throw;
@@ -302,11 +302,10 @@ Session starting_session(const CLI::App& app, const CommonOptions& options, cons
     return session;
 }
 
-FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context) {
-    FlatScene scene = loaded_scene(options, session);
-    if (session.time != 0.0 && scene.duration == 0.0)
-        context.err << fmt::format("kdscope: note: --time has no effect: nothing in {} moves\n",
-                                   printable(session.scene, 1000));
+namespace {
+
+/// Camera and planes by hand in the units of `scene`, as open_scene() says.
+void take_lengths(const CommonOptions& options, Session& session, const FlatScene& scene) {
     session.build.by_hand = to_internal(scene, std::move(session.build.by_hand));
     Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);
@@ -316,10 +315,25 @@ FlatScene open_scene(const CommonOptions& options, Session& session, const Comma
     if (!is_valid(camera))
         throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
     const CameraOptions& given = options.camera;
-    if (session.camera || given.eye || given.target || given.up || given.fov_y_degrees) {
-        scene.camera = to_internal(scene, camera);
-        session.camera = scene.camera;
-    }
+    if (session.camera || given.eye || given.target || given.up || given.fov_y_degrees)
+        session.camera = to_internal(scene, camera);
+}
+
+}  // namespace
+
+MovingScene open_motion(const CommonOptions& options, Session& session) {
+    MovingScene moving = loaded_scene(options, session);
+    take_lengths(options, session, moving.at_rest());
+    return moving;
+}
+
+FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context) {
+    FlatScene scene = loaded_scene(options, session).at(session.time);
+    if (session.time != 0.0 && scene.duration == 0.0)
+        context.err << fmt::format("kdscope: note: --time has no effect: nothing in {} moves\n",
+                                   printable(session.scene, 1000));
+    take_lengths(options, session, scene);
+    scene.camera = session.camera.value_or(scene.camera);
     return scene;
 }
 

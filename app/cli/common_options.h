@@ -11,6 +11,7 @@
 #include "app/session.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/measure/ray_machine.h"
+#include "renderer/scene/moving_scene.h"
 
 namespace CLI {
 class App;
@@ -87,6 +88,9 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
 /// asked for. The session gets a camera where it had one or one was asked for, in internal units as its planes. A time
 /// that the scene has no use for is noted. InputError.
 [[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context);
+/// The same at any time: the session's is not looked at, and its camera is one only where it had one or one was asked
+/// for.
+[[nodiscard]] MovingScene open_motion(const CommonOptions& options, Session& session);
 
 /// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.
 /// `uses_all` where a command runs every tracer unless one is named. ContextError.

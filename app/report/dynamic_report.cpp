@@ -138,6 +138,7 @@ Json row_json(const DynamicBench& bench, const MotionRow& row) {
             {"trace_threads", cpu ? Json(counted_threads(bench.session.threads)) : Json(nullptr)},
             {"width", bench.session.width},
             {"height", bench.session.height},
+            {"first_s", bench.plan.first_seconds},
             {"step_s", bench.plan.step_seconds},
             {"duration_s", bench.duration},
             {"frames", frame.samples},
