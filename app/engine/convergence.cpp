@@ -181,7 +181,7 @@ void Engine::note_rounds() {
 
 void Engine::start_sample() {
     if (!convergence_.wants_sample() || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.paper.active || state_.stability.active || tracer_.busy()) return;
+    if (state_.paper.active || state_.stability.active || state_.motion.playing || tracer_.busy()) return;
     if (now() - last_input_ < quiet_before_sample_s) return;
     const glm::dvec2 offset = convergence_.begin_or_go_on(configuration_shown());
     duelling_ = true;

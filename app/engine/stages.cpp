@@ -47,6 +47,7 @@ bool can_be_made(const MapConfig& map) {
 void Engine::start_load() {
     const Session wanted = state_.session;
     builder_.cancel();
+    drop_pose();
     state_.building = {};
     build_waits_ = false;
     forget_refused();
@@ -69,8 +70,7 @@ void Engine::start_load() {
         }
         mailbox_.post([this, wanted, loaded, error] {
             const Session& now = state_.session;
-            const bool other_time = !loaded || loaded->moving ? now.time != wanted.time : false;
-            if (now.scene != wanted.scene || now.seed != wanted.seed || other_time) return;  // no longer wanted
+            if (now.scene != wanted.scene || now.seed != wanted.seed) return;  // no longer wanted
             if (loaded)
                 finish_load(loaded);
             else
@@ -81,9 +81,7 @@ void Engine::start_load() {
 
 void Engine::finish_load(std::shared_ptr<const LoadedScene> loaded) {
     state_.loading = {};
-    const bool only_moved = scene_ && scene_->moving && scene_->moving == loaded->moving;
     scene_ = std::move(loaded);
-    if (only_moved) return start_build();
     if (names_gltf(scene_->name)) duels_.forget();  // the file may have changed since it was read before
     take_opened_lengths(scene_->flat);
     for (const std::string& note : scene_->flat.notes) say(false, scene_->name + ": " + note);
@@ -160,9 +158,13 @@ void Engine::start_build() {
     });
 }
 
-void Engine::finish_build(std::shared_ptr<const World> world) {
+void Engine::use(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
+}
+
+void Engine::finish_build(std::shared_ptr<const World> world) {
+    use(std::move(world));
     for (const std::string& note : build_notes(state_.world->report)) say(false, "tree: " + note);
     meantime_generation_ = 0;
     trace_generation_ = ++state_.generation;
@@ -171,14 +173,19 @@ void Engine::finish_build(std::shared_ptr<const World> world) {
 
 /// A tree that nobody asks for any more: shown until the one that is asked for is built.
 void Engine::finish_meantime(std::shared_ptr<const World> world) {
-    state_.world = std::move(world);
-    state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    use(std::move(world));
     meantime_generation_ = building_generation_;
     start_trace();
     start_build();
 }
 
 void Engine::cancel_build() {
+    if (state_.motion.posing && state_.world) {
+        drop_pose();
+        Session back = state_.session;
+        back.time = state_.world->loaded->time;
+        set_session(back);
+    }
     if (!state_.building.active) return;
     builder_.cancel();
     build_waits_ = false;
@@ -193,9 +200,16 @@ TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
     // A frame of a tree that is about to be replaced is shown, but answers nothing, or what was asked for before.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
-    return {state_.world,    s.trace,   s.tracer,
-            camera_in_use(), s.width,   s.height,
-            s.threads,       s.early_z, current ? state_.generation : meantime_generation_};
+    return {.world = state_.world,
+            .config = s.trace,
+            .tracer = s.tracer,
+            .camera = camera_in_use(),
+            .width = s.width,
+            .height = s.height,
+            .threads = s.threads,
+            .early_z = s.early_z,
+            .generation = current ? state_.generation : meantime_generation_,
+            .moving = state_.motion.playing && !drags()};
 }
 
 void Engine::start_trace() {
@@ -244,8 +258,11 @@ void Engine::receive(TracedFrame traced) {
     // Cells keep their colours until the rays of the new frame are counted.
     if (traced_.world == traced.world) traced.visits = traced_.visits;
     traced_ = std::move(traced);
-    note_frame(traced_);
-    note_planes(traced_);
+    note_played(traced_);
+    if (!state_.motion.playing) {
+        note_frame(traced_);
+        note_planes(traced_);
+    }
     start_paint();
 }
 

@@ -29,7 +29,8 @@ struct TraceRequest {
     int threads = 0;
     EarlyZ early_z = EarlyZ::working;
     std::uint64_t generation = 0;
-    int duel_scale = 0;  // of the frames that a duel times; 0 = the program's choice
+    int duel_scale = 0;   // of the frames that a duel times; 0 = the program's choice
+    bool moving = false;  // another pose follows at once: one frame, as fine as time allows
 };
 
 /// A frame's colours and its time in ms.

@@ -151,10 +151,22 @@ void draw_compiling(const EngineState& state) {
     Places::note("compiling");
 }
 
+void draw_cancel(Edit& edit) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
+    Places::note("cancel");
+    widgets::hint("Keeps the tree that is shown.");
+}
+
 /// The bar of the work that takes longest now.
 void draw_work(const EngineState& state, Edit& edit) {
     const bool building = state.building.active;
-    const bool tracing = state.tracing.active;
+    const bool tracing = state.tracing.active && !state.motion.playing;  // else bars would flicker
+    if (state.motion.posing && !building && !tracing) {
+        ImGui::SameLine(0, theme::px(16));
+        ImGui::TextUnformatted("posing");
+        return draw_cancel(edit);
+    }
     if (!building && !tracing && !state.judging.active) return;
     const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
     const char* beside = needs_walks(state.session.view) ? "walking" : "comparing";
@@ -163,11 +175,7 @@ void draw_work(const EngineState& state, Edit& edit) {
     ImGui::SetNextItemWidth(theme::px(150));
     ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
                        fmt::format("{} {:.0f} %", name, 100 * work.fraction).c_str());
-    if (!building) return;
-    ImGui::SameLine();
-    if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
-    Places::note("cancel");
-    widgets::hint("Keeps the tree that is shown.");
+    if (building) draw_cancel(edit);
 }
 
 }  // namespace
