@@ -46,6 +46,7 @@ using State = const EngineState&;
 constexpr const char* see = "See";
 constexpr const char* change = "Change";
 constexpr const char* pixel = "Pixel and camera";
+constexpr const char* motion = "Motion";
 constexpr const char* window = "Window";
 
 constexpr KeyBinding table[] = {
@@ -71,14 +72,6 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { edits::switch_bottom(e, splits_panel); }},
     {GLFW_KEY_I, plain, "I", see, "icicle and slice of the tree, or times",
      [](State, Edit& e) { edits::switch_bottom(e, nodes_panel); }},
-    {GLFW_KEY_M, GLFW_MOD_SHIFT, "Shift M", see, "motion, or times",
-     [](State, Edit& e) { edits::switch_bottom(e, motion_panel); }},
-    {GLFW_KEY_SPACE, plain, "Space", see, "play the motion, or stop it",
-     [](State s, Edit& e) { edits::toggle_playing(s, e); }},
-    {GLFW_KEY_PERIOD, GLFW_MOD_SHIFT, "Shift .", see, "motion, one frame on",
-     [](State s, Edit& e) { edits::step_motion(s, e, 1); }},
-    {GLFW_KEY_COMMA, GLFW_MOD_SHIFT, "Shift ,", see, "motion, one frame back",
-     [](State s, Edit& e) { edits::step_motion(s, e, -1); }},
     {GLFW_KEY_LEFT_BRACKET, plain, "[", see, "splits, one level less deep",
      [](State, Edit& e) { change_depth(e, -1); }},
     {GLFW_KEY_RIGHT_BRACKET, plain, "]", see, "splits, one level deeper", [](State, Edit& e) { change_depth(e, 1); }},
@@ -121,6 +114,14 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { e.do_once(Action::copy_camera); }},
     {GLFW_KEY_V, GLFW_MOD_CONTROL, "Ctrl V", pixel, "paste a camera",
      [](State, Edit& e) { e.do_once(Action::paste_camera); }},
+
+    {GLFW_KEY_M, GLFW_MOD_SHIFT, "Shift M", motion, "MOTION, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, motion_panel); }},
+    {GLFW_KEY_SPACE, plain, "Space", motion, "play, or stop", [](State s, Edit& e) { edits::toggle_playing(s, e); }},
+    {GLFW_KEY_PERIOD, GLFW_MOD_SHIFT, "Shift .", motion, "one frame on",
+     [](State s, Edit& e) { edits::step_motion(s, e, 1); }},
+    {GLFW_KEY_COMMA, GLFW_MOD_SHIFT, "Shift ,", motion, "one frame back",
+     [](State s, Edit& e) { edits::step_motion(s, e, -1); }},
 
     {GLFW_KEY_U, plain, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
     {GLFW_KEY_F12, plain, "F12", window, "save a figure (PNG)",
