@@ -134,7 +134,7 @@ void draw_motion_panel(const EngineState& state, Edit& edit) {
     draw_schedules(state, edit);
     widgets::note(tree_text(state));
     draw_step_legend();
-    if (state.motion.recent.frames.empty())
+    if (state.motion.recent.frames.size() < 2)
         widgets::note(fmt::format("the last {} frames, while the motion plays", frames_in_chart));
     else
         draw_gantt(state.motion.recent, frames_in_chart, state.motion.played, ImGui::GetContentRegionAvail());

@@ -19,14 +19,14 @@ constexpr ImU32 idle = IM_COL32(236, 236, 238, 255);
 constexpr ImU32 ink = IM_COL32(20, 20, 24, 255);
 constexpr std::array lane_names{"build", "trace"};
 
-/// Seconds from the first step shown to the end of the last frame.
+/// Seconds from the first step of the first frame to the end of the last.
 struct Window {
     double begin = 0, end = 0;
 };
 
-Window window_of(const PipelineRun& run, std::size_t first) {
-    Window window{std::numeric_limits<double>::max(), run.frames.back()[FrameStep::trace].end};
-    for (std::size_t n = first; n < run.frames.size(); ++n)
+Window window_of(const PipelineRun& run, std::size_t first, std::size_t last) {
+    Window window{std::numeric_limits<double>::max(), run.frames[last][FrameStep::trace].end};
+    for (std::size_t n = first; n <= last; ++n)
         window.begin = std::min(window.begin, run.frames[n][FrameStep::update].begin);
     return window;
 }
@@ -43,7 +43,8 @@ struct Plane {
 
 void draw_bar(ImDrawList& list, const Plane& plane, const FrameSteps& frame, FrameStep step, std::int64_t number) {
     const StepInterval& interval = frame[step];
-    const float left = std::max(plane.low.x, plane.x_of(interval.begin)), right = plane.x_of(interval.end);
+    const float left = std::max(plane.low.x, plane.x_of(interval.begin)),
+                right = std::min(plane.high.x, plane.x_of(interval.end));
     if (!(right > left)) return;
     const float top = plane.low.y + (step >= FrameStep::upload ? plane.lane : 0);
     const ImVec2 a{left, top}, b{std::max(right, left + 1), top + plane.lane - theme::px(3)};
@@ -101,11 +102,11 @@ void draw_gantt(const PipelineRun& run, std::size_t frames, std::int64_t newest,
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##gantt", size);
     Places::note("gantt");
-    if (run.frames.empty()) return;
-    const std::size_t first = run.frames.size() - std::min(frames, run.frames.size());
+    if (run.frames.size() < 2) return;
+    const std::size_t last = run.frames.size() - 2, first = last - std::min(frames - 1, last);
     const float margin = ImGui::CalcTextSize("build").x + theme::px(8), axis = ImGui::GetTextLineHeight();
     Plane plane{{corner.x + margin, corner.y}, {corner.x + size.x, corner.y + size.y - axis - theme::px(4)}, {}, 0};
-    plane.window = window_of(run, first);
+    plane.window = window_of(run, first, last);
     plane.lane = std::min((plane.high.y - plane.low.y) / 2, theme::px(44));
     plane.high.y = plane.low.y + 2 * plane.lane;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -114,7 +115,8 @@ void draw_gantt(const PipelineRun& run, std::size_t frames, std::int64_t newest,
         list.AddRectFilled({plane.low.x, top}, {plane.high.x, bottom}, idle);
         list.AddText({corner.x, (top + bottom - ImGui::GetTextLineHeight()) / 2}, theme::dim_text, lane_names[lane]);
     }
-    for (std::size_t n = first; n < run.frames.size(); ++n)
+    // With what was done for the frame after them, and what was left of the one before.
+    for (std::size_t n = first - std::min<std::size_t>(first, 1); n < run.frames.size(); ++n)
         for (std::size_t step = 0; step < frame_step_names.size(); ++step)
             draw_bar(list, plane, run.frames[n], FrameStep(step), newest + 1 - std::int64_t(run.frames.size() - n));
     draw_scale(list, plane);

@@ -13,8 +13,8 @@ namespace kd {
 /// The names of the steps in one line, each with a piece of its colour.
 void draw_step_legend();
 
-/// Draws the last `frames` frames of a run into `size`, idle time white, and reads out what is under the mouse.
-/// `newest` is the number that the last one bears.
+/// Draws the last `frames` frames of a run but the newest, of whose time the building side has more to tell, into
+/// `size`, idle time white, and reads out what is under the mouse. `newest` is the number of the newest.
 void draw_gantt(const PipelineRun& run, std::size_t frames, std::int64_t newest, ImVec2 size);
 
 }  // namespace kd
