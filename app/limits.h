@@ -37,6 +37,7 @@ inline constexpr Limits<int> short_stack{1, max_short_stack};
 inline constexpr Limits<int> entry_tile{0, 1024};
 inline constexpr Limits<int> reflection_depth{0, 64};
 inline constexpr Limits<float> share{0, 1};
+inline constexpr Limits<int> samples{0, 1 << 20};  // of each pixel
 
 inline constexpr Limits<float> cost{0, 1e6f};
 inline constexpr Limits<int> leaf_size{1, 1 << 20};

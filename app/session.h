@@ -32,7 +32,9 @@ struct Session {
     std::optional<Camera> camera;      // the scene's own where absent; in the scene's internal units
     ViewConfig view;
     int width = 512, height = 512;
-    int threads = 0;  // 0 = all
+    int threads = 0;         // 0 = all
+    int samples = 0;         // of light, for each pixel at most; 0: the paper's one ray towards each light
+    float sample_error = 0;  // standard error at which tiles stop before; 0: none does
 
     bool operator==(const Session&) const = default;
 };

@@ -87,6 +87,11 @@ void visit_session(Visitor& v, AnySession& s) {
     v.flag("shadows", s.trace.shadows);
     v.number("reflection_depth", s.trace.reflection_depth, limits::reflection_depth);
     v.number("min_contribution", s.trace.least_contribution, limits::share);
+    v.number("samples", s.samples, limits::samples);
+    v.number("sample_error", s.sample_error, limits::share);
+    v.flag("soft_shadows", s.trace.sampling.soft_shadows);
+    v.flag("gloss", s.trace.sampling.gloss);
+    v.flag("indirect", s.trace.sampling.indirect);
     v.set("forced", s.trace.forced, choices::features());
     v.number("threads", s.threads, limits::threads);
     v.object("build", [&](auto& inner) { visit_build(inner, s.build); });

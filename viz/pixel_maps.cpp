@@ -84,6 +84,13 @@ constexpr auto table = std::to_array<MapInfo>({
      .kind = count,
      .summary = "Most cells that waited on the stack at one time. 0 for a traversal that has no stack.",
      .of_pixel = [](const RayCounters& c, const Hit&) { return float(c.stack_depth); }},
+    {.name = "rays",
+     .title = "rays traced",
+     .unit = "rays",
+     .kind = count,
+     .summary = "How many rays of this kind the pixel traced: shadow rays one for each light that faces the surface, and "
+                "as many times as light was sampled.",
+     .of_pixel = [](const RayCounters& c, const Hit&) { return float(c.rays); }},
     {.name = "exit",
      .title = "why the ray ended",
      .unit = "",

@@ -57,6 +57,10 @@ CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& options);
 CLI::Option* add_nodes_option(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 /// Mirrors, shadows, how nodes and leaves are stored, how pixels are culled, and features to keep.
 void add_shading_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
+/// Sampled light: how many samples, how certain, and which effects.
+void add_light_options(CLI::App& app, CommonOptions& options);
+/// Those that do nothing without samples.
+void refuse_idle_light_options(const CLI::App& app, const Session& session);
 void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 void add_camera_options(CLI::App& app, CommonOptions& options);
 /// All that a traced frame depends on but the camera: size, machine, time, tracing, shading, tree.

@@ -79,7 +79,7 @@ std::optional<BenchRow> first_frames(const BenchOptions& options, const Walk& wa
         // Counters come from a frame of their own: counting is not free.
         const auto frame = trace_counted(walk.tracer, walk.config, bench.camera, s.width, s.height, context.stop);
         check_stop(context);
-        row.counters = sum_of(pass_totals(frame.value(), bench.rays));
+        row.counters = sum_of(pass_totals(frame.value()));
         note_unfinished(*frame, walk.name, bench.notes);
     } catch (const InputError& error) {
         if (options.tracer && options.traversal) throw;

@@ -45,8 +45,6 @@ struct RenderOptions : CommonOptions {
 std::string shaded_text(std::int64_t pixels) { return pixels < 0 ? "" : fmt::format(", {} pixels shaded", pixels); }
 
 Json json_of(const Rendering& r, const std::optional<NeedsReport>& needs) {
-    const PinholeCamera camera = pinhole(r.scene.camera, r.session.width, r.session.height);
-    const RayCounts rays = count_rays(r.scene, r.tree, r.session.trace, camera, r.session.width, r.session.height);
     return summary_json({.session = r.session,
                          .scene = r.scene,
                          .stats = r.stats,
@@ -59,8 +57,7 @@ Json json_of(const Rendering& r, const std::optional<NeedsReport>& needs) {
                          .left_out = r.left_out,
                          .judged = r.judged ? &*r.judged : nullptr,
                          .needs = needs ? std::optional(json_of(*needs)) : std::nullopt,
-                         .on = r.on},
-                        rays);
+                         .on = r.on});
 }
 
 /// "3 wrong of 262144: 2 missed, 1 wrong triangle".
@@ -79,6 +76,15 @@ bool any_traced(const Frame& frame, Pass rays) {
     return false;
 }
 
+std::string samples_text(const SampleCount& count) {
+    std::string text = fmt::format("samples   {} per pixel", count.samples);
+    if (count.samples > 1) text += fmt::format(", standard error {:.2g}", count.error);
+    if (count.converged_tiles > 0)
+        text += fmt::format("; {} of {} tiles converged, {:.1f} samples per pixel on average", count.converged_tiles,
+                            count.tiles, count.average);
+    return text + "\n";
+}
+
 /// `listed`: why features are left out is about to be told.
 void print(std::ostream& out, const Rendering& r, bool listed) {
     const Session& s = r.session;
@@ -94,6 +100,7 @@ void print(std::ostream& out, const Rendering& r, bool listed) {
         if (r.time.pass_ms[pass] >= 0)
             out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],
                                shaded_text(r.time.shaded_pixels[pass]));
+    if (r.samples) out << samples_text(*r.samples);
     const Pass rays = s.view.map.rays;
     if (s.view.show_map && !any_traced(r.frame, rays))
         out << fmt::format("note      no {} ray was traced: the map has no values\n", ray_names[std::size_t(rays)]);
@@ -114,6 +121,7 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
     for (const char* option : {"--map", "--overlay", "--no-legend"})
         refuse_idle(app, {{option, !o.output.empty(), no_picture}});
     refuse_idle(app, {{"--rounds", o.needs, "only --needs times anything; bench times frames"}});
+    refuse_idle_light_options(app, session);
     const ViewConfig& view = session.view;
     const MapInfo* map = view.show_map ? find_map(view.map.map) : nullptr;
     const std::string no_map = "no map is drawn; add --map NAME";
@@ -269,6 +277,7 @@ CommandBody declare(CLI::App& app) {
                     fmt::format("Frames of each feature that --needs times; 0: none [{}]", o.rounds));
     add_map_options(app, o);
     add_frame_options(app, o);
+    add_light_options(app, o);
     app.add_flag("--count-shaded", o.count_shaded, "Counts the pixels that each gl-fragment pass shades")
         ->group("Tracing");
     add_camera_options(app, o);

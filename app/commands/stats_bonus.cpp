@@ -62,9 +62,8 @@ void measure(std::vector<Row>& rows, const Session& s, const FlatScene& scene, C
         row.stats = tree_stats(row.tree, scene.triangles.size(), row.build);
         row.tracer = std::make_unique<CpuTracer>(scene, row.tree);
         row.tracer->trace_frame(s.trace, camera, *frame, s.threads, context.stop);
-        const RayCounts rays = count_rays(scene, row.tree, s.trace, camera, s.width, s.height, context.stop);
         check_stop(context);
-        row.visits = sum_of(pass_totals(*frame, rays));
+        row.visits = sum_of(pass_totals(*frame));
         contestants.push_back({name, [&row, &s, &context, &progress, camera, config, frame, name] {
                                    progress.show(0, s.scene + ": timing " + name);
                                    const double ms = wall_ms([&] {

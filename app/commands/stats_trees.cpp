@@ -217,7 +217,6 @@ struct MeasuredScene {
     Session session;
     FlatScene scene;
     PinholeCamera camera;
-    std::optional<RayCounts> rays;
 };
 
 Entry measure(MeasuredScene& of, const std::string& builder, GlProbe& probe, ProgressLine& progress,
@@ -230,12 +229,10 @@ Entry measure(MeasuredScene& of, const std::string& builder, GlProbe& probe, Pro
     const KdTree tree = build_tree(scene.triangles, session.build, &entry.build, show, context.stop, session.threads);
     check_stop(context);
     entry.stats = tree_stats(tree, scene.triangles.size(), session.build);
-    if (!of.rays)
-        of.rays = count_rays(scene, tree, session.trace, of.camera, session.width, session.height, context.stop);
     Frame frame(session.width, session.height);
     CpuTracer(scene, tree).trace_frame(session.trace, of.camera, frame, session.threads, context.stop);
     check_stop(context);
-    entry.visits = pass_totals(frame, *of.rays);
+    entry.visits = pass_totals(frame);
     probe.measure(scene, tree, session, entry);
     return entry;
 }
@@ -295,7 +292,7 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
         FlatScene scene = open_scene(options, session, context);
         check_frame_memory(session.width, session.height);
         const PinholeCamera camera = pinhole(scene.camera, session.width, session.height);
-        MeasuredScene of{session, std::move(scene), camera, {}};
+        MeasuredScene of{session, std::move(scene), camera};
         std::vector<Entry> entries;
         for (const std::string& builder : builders_of(session, every_builder))
             entries.push_back(measure(of, builder, probe, progress, context));

@@ -14,8 +14,8 @@ namespace kd {
 struct FrameTime {
     double total_ms = 0;
     double wall_ms = 0;
-    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};
-    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
+    std::array<double, pass_count> pass_ms = for_each_pass(-1.0);
+    std::array<std::int64_t, pass_count> shaded_pixels = for_each_pass<std::int64_t>(-1);
     bool complete = true;  // false where stopped
 
     [[nodiscard]] TimeSample sample() const { return {total_ms, wall_ms > 0 ? wall_ms : -1, pass_ms}; }

@@ -37,6 +37,17 @@ class CpuFrameTracer final : public FrameTracer {
         return time;
     }
 
+    FrameTime trace_tiles(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                          std::span<const Tile> tiles, std::stop_token stop,
+                          const std::function<void(float)>& progress) override {
+        FrameTime time;
+        time.complete = make_ready(config, width, height, stop);
+        if (!time.complete) return time;
+        time.total_ms = wall_ms(
+            [&] { time.complete = tracer_->trace_tiles(config, camera, tiles, frame_, threads_, stop, progress); });
+        return time;
+    }
+
     [[nodiscard]] Frame frame(const TraceConfig&) override { return frame_; }
     [[nodiscard]] std::string renderer() const override { return cpu_renderer(threads_); }
     [[nodiscard]] std::string clock() const override { return "steady clock"; }
@@ -80,8 +91,8 @@ class GlFrameTracer final : public FrameTracer {
     void prepare(const TraceConfig& config, int width, int height) override {
         context_->make_current();
         const double ms = wall_ms([&] { tracer_->prepare(complete(config), width, height); });
-        if (prepared_ == config) return;
-        prepared_ = config;
+        if (prepared_ == at_first_sample(config)) return;
+        prepared_ = at_first_sample(config);
         setup_.compile_ms = ms;
     }
 
@@ -92,6 +103,14 @@ class GlFrameTracer final : public FrameTracer {
         if (choices_.wake && !context_->is_software())
             drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
         return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
+    }
+
+    FrameTime trace_tiles(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                          std::span<const Tile> tiles, std::stop_token stop,
+                          const std::function<void(float)>& progress) override {
+        context_->make_current();
+        warm_up(config, camera, width, height);
+        return drawer_.draw_tiles(*tracer_, complete(config), camera, width, height, tiles, stop, progress);
     }
 
     [[nodiscard]] Frame frame(const TraceConfig& config) override {
@@ -113,11 +132,11 @@ class GlFrameTracer final : public FrameTracer {
 
     /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
     void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
-        if (std::ranges::find(warm_, config) != warm_.end()) return;
+        if (std::ranges::find(warm_, at_first_sample(config)) != warm_.end()) return;
         const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
         const double ms = wall_ms([&] { tracer_->draw(complete(config), camera, width, height, middle); });
-        if (prepared_ == config) setup_.compile_ms += ms;
-        warm_.push_back(config);
+        if (prepared_ == at_first_sample(config)) setup_.compile_ms += ms;
+        warm_.push_back(at_first_sample(config));
     }
 
     GlChoices choices_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -28,6 +29,11 @@ class FrameTracer {
     /// Traces one frame and keeps it. With `progress` the work is cut into bands, between which it can be stopped.
     virtual FrameTime trace(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
                             std::stop_token stop = {}, const std::function<void(float)>& progress = {}) = 0;
+
+    /// The same of some tiles only; the others stay as they were.
+    virtual FrameTime trace_tiles(const TraceConfig& config, const PinholeCamera& camera, int width, int height,
+                                  std::span<const Tile> tiles, std::stop_token stop = {},
+                                  const std::function<void(float)>& progress = {}) = 0;
 
     /// The frame traced last.
     [[nodiscard]] virtual Frame frame(const TraceConfig& config) = 0;

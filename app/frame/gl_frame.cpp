@@ -22,7 +22,8 @@ void add(const GlFrameReport& report, FrameTime& time) {
 
 }  // namespace
 
-DispatchPlan& GlFrameDrawer::plan_for(const GlTraceConfig& config) {
+DispatchPlan& GlFrameDrawer::plan_for(GlTraceConfig config) {
+    config.trace = at_first_sample(config.trace);
     const auto known = std::ranges::find(plans_, config, &Planned::config);
     if (known != plans_.end()) return known->plan;
     if (plans_.size() == most_plans) plans_.erase(plans_.begin());
@@ -47,6 +48,19 @@ FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, con
         add(report, time);
         done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
         if (progress) progress(float(double(done) / double(pixels)));
+    }
+    drawn_ = Clock::now();
+    return time;
+}
+
+FrameTime GlFrameDrawer::draw_tiles(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera,
+                                    int width, int height, std::span<const Tile> tiles, const std::stop_token& stop,
+                                    const std::function<void(float)>& progress) {
+    FrameTime time;
+    for (std::size_t i = 0; i < tiles.size() && time.complete; ++i) {
+        add(tracer.draw(config, camera, width, height, tiles[i]), time);
+        time.complete = !stop.stop_requested();
+        if (progress) progress(float(i + 1) / float(tiles.size()));
     }
     drawn_ = Clock::now();
     return time;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ class GlFrameDrawer {
     /// The frame stays in the tracer's targets; incomplete where stopped.
     FrameTime draw(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width, int height,
                    const std::stop_token& stop, const std::function<void(float)>& progress);
+    /// The same of some tiles only, one draw each.
+    FrameTime draw_tiles(GlTracer& tracer, const GlTraceConfig& config, const PinholeCamera& camera, int width,
+                         int height, std::span<const Tile> tiles, const std::stop_token& stop,
+                         const std::function<void(float)>& progress);
     /// Before a frame that is timed on hardware: where the GPU has idled, draws frames that do not count until its
     /// clocks are up again. They fall within milliseconds (H100: from 1980 to 345 MHz), and the first frame after a
     /// pause takes as many times longer. Returns how many frames it drew.
@@ -39,7 +44,7 @@ class GlFrameDrawer {
     };
     static constexpr std::size_t most_plans = 16;
 
-    DispatchPlan& plan_for(const GlTraceConfig& config);
+    DispatchPlan& plan_for(GlTraceConfig config);
 
     double tile_ms_;
     std::vector<Planned> plans_;

@@ -18,12 +18,34 @@ GlChoices gl_choices(const CommonOptions& options, const Session& session) {
     return {options.context.value_or(ContextKind::automatic), session.early_z, options.count_shaded};
 }
 
+namespace {
+
+void trace_picture(Rendering& r, FrameTracer& tracer, const PinholeCamera& camera, const CommandContext& context,
+                   const std::function<void(float)>& progress) {
+    const Session& s = r.session;
+    if (s.samples == 0) {
+        r.time = tracer.trace(s.trace, camera, s.width, s.height, context.stop, progress);
+        if (!r.time.complete) throw Interrupted();
+        r.frame = tracer.frame(s.trace);
+        return;
+    }
+    SampledFrame sampled = trace_samples(tracer, s.trace, camera, s.width, s.height,
+                                         {s.samples, s.sample_error, s.seed}, context.stop, progress);
+    if (!sampled.time.complete) throw Interrupted();
+    r.time = sampled.time;
+    r.samples = sampled.count;
+    r.frame = std::move(sampled.frame);
+}
+
+}  // namespace
+
 Rendering render(const CommonOptions& options, Session session, CommandContext& context) {
     check_frame_memory(session.width, session.height);
     Rendering r;
     ProgressLine progress(context);
     const auto show = [&](const char* what) { return [&progress, what](float done) { progress.show(done, what); }; };
     r.session = std::move(session);
+    if (r.session.samples > 0) r.session.trace.sampling.sample = 0;
     r.scene = open_scene(options, r.session, context);
     r.session.camera = r.scene.camera;
     const Session& s = r.session;
@@ -41,9 +63,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     const auto tracer = make_frame_tracer(s.tracer, r.scene, r.tree, s.threads, gl_choices(options, s));
     tracer->prepare(s.trace, s.width, s.height);
     const PinholeCamera camera = pinhole(r.scene.camera, s.width, s.height);
-    r.time = tracer->trace(s.trace, camera, s.width, s.height, context.stop, show("tracing"));
-    if (!r.time.complete) throw Interrupted();
-    r.frame = tracer->frame(s.trace);
+    trace_picture(r, *tracer, camera, context, show("tracing"));
     r.renderer = tracer->renderer();
     r.clock = tracer->clock();
     r.software_gl = tracer->software_gl();

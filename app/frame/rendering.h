@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/common_options.h"
 #include "app/frame/frame_tracer.h"
+#include "app/frame/sampled_frame.h"
 #include "app/report/figure_text.h"
 #include "renderer/kdtree/stats.h"
 #include "renderer/measure/measured_on.h"
@@ -30,6 +31,7 @@ struct Rendering {
     std::optional<LockstepLayer> walks;  // likewise
     std::optional<NodeVisits> visits;    // where the colours of cells ask for them
     FrameTime time;
+    std::optional<SampleCount> samples;  // where light is sampled
     std::string renderer, clock;
     bool software_gl = false;
     MeasuredOn on;

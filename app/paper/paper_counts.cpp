@@ -74,7 +74,7 @@ PaperScene count_scene(const PaperConfig& config, const std::string& name, const
         if (stop.stop_requested()) break;
         const EfficiencySummary divergence =
             summarise_divergence(frame.layer(Pass::rt_prim), paper_tile_width, paper_tile_height);
-        scene.counts.push_back({traversal, sum_of(pass_totals(frame, scene.rays)), divergence.weighted});
+        scene.counts.push_back({traversal, sum_of(pass_totals(frame)), divergence.weighted});
     }
     return scene;
 }
@@ -86,7 +86,7 @@ double seed_node_ratio(const PaperConfig& config, const std::string& name, unsig
     for (std::size_t i = 0; i < 2; ++i) {
         const Traversal traversal = i == 0 ? Traversal::stack : Traversal::restart;
         const Frame frame = counted_frame(config, *world, counting(config, traversal), stop);
-        const CounterTotals all = sum_of(pass_totals(frame, {}));
+        const CounterTotals all = sum_of(pass_totals(frame));
         interior[i] = all.interior_first + all.interior_again;
     }
     return interior[0] > 0 && !stop.stop_requested() ? double(interior[1]) / double(interior[0]) : 0;

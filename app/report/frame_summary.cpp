@@ -16,13 +16,10 @@ Json by_pass(const std::array<Value, pass_count>& values) {
     return json;
 }
 
-Json counters_json(const Frame& frame, const std::optional<RayCounts>& rays) {
-    const auto totals = pass_totals(frame, rays.value_or(RayCounts{}));
+Json counters_json(const Frame& frame) {
+    const auto totals = pass_totals(frame);
     Json counters;
-    for (std::size_t pass = 0; pass < pass_count; ++pass) {
-        Json& json = counters[json_key(ray_names[pass])] = json_of(totals[pass]);
-        if (!rays) json.erase("rays");
-    }
+    for (std::size_t pass = 0; pass < pass_count; ++pass) counters[json_key(ray_names[pass])] = json_of(totals[pass]);
     return counters;
 }
 
@@ -47,7 +44,7 @@ Json judged_json(const JudgedLayer& judged) {
 
 }  // namespace
 
-Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
+Json summary_json(const FrameSummary& s) {
     Json json{
         {"settings", settings_json(in_scene_units(s.session, s.scene), s.session.view)},
         {"scene", json_of(s.scene)},
@@ -58,7 +55,7 @@ Json summary_json(const FrameSummary& s, const std::optional<RayCounts>& rays) {
         {"ms", {{"build", 1e3 * s.build_seconds}, {"trace", s.time.total_ms}, {"passes", by_pass(s.time.pass_ms)}}},
         {"shaded_pixels", by_pass(s.time.shaded_pixels)},
         {"left_out", s.left_out},
-        {"counters", counters_json(s.frame, rays)},
+        {"counters", counters_json(s.frame)},
         {"unfinished", unfinished_json(s.frame)},
     };
     if (s.needs) json["needs"] = *s.needs;

@@ -25,8 +25,7 @@ struct FrameSummary {
     std::optional<MeasuredOn> on{};       // where times are kept for later
 };
 
-/// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits. `rays`
-/// takes as long to count as the frame to trace; without it the numbers of rays are left out.
-[[nodiscard]] Json summary_json(const FrameSummary& summary, const std::optional<RayCounts>& rays);
+/// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits.
+[[nodiscard]] Json summary_json(const FrameSummary& summary);
 
 }  // namespace kd

@@ -50,11 +50,6 @@ std::string title_of(const EngineState& state) {
     return title_of(scene_text(name, scene.time, scene.duration), state.picture->view);
 }
 
-RayCounts rays_of(const TracedFrame& traced) {
-    const Frame& frame = *traced.frame;
-    return count_rays(traced.world->scene(), traced.world->tree, traced.config, traced.lens, frame.width, frame.height);
-}
-
 PngText png_text(const EngineState& state) {
     const Session session = in_scene_units(state.session, state.picture->traced.world->scene());
     return png_text(title_of(state), caption_of(facts_of(state)), session, state.picture->view);
@@ -93,7 +88,7 @@ fs::path next_file(const fs::path& folder, const std::string& extension) {
     return folder / fmt::format("kdscope-{}{}", number, extension);
 }
 
-Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays, const std::optional<MeasuredOn>& on) {
+Json summary_json(const EngineState& state, const std::optional<MeasuredOn>& on) {
     const TracedFrame& traced = state.picture->traced;
     Session session = state.session;
     session.camera = traced.camera;  // also where it is the scene's own: files name it
@@ -108,8 +103,7 @@ Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays
                          .clock = traced.clock,
                          .left_out = traced.left_out,
                          .judged = state.judged(),
-                         .on = on},
-                        rays);
+                         .on = on});
 }
 
 fs::path export_file(Action what, const EngineState& state, const fs::path& folder, const Font& font,
@@ -122,7 +116,7 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
                                                                           : ".png");
     if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
     if (what == Action::export_json)
-        write_file(path, json_text(summary_json(state, rays_of(traced), machine_of(state))));
+        write_file(path, json_text(summary_json(state, machine_of(state))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
     if (!bare && !is_complete_for(traced, state.picture->view, true))

@@ -15,8 +15,7 @@ namespace kd {
 [[nodiscard]] std::filesystem::path next_file(const std::filesystem::path& folder, const std::string& extension);
 
 /// Of the picture shown, as the function of this name in app/report/frame_summary.h.
-[[nodiscard]] Json summary_json(const EngineState& state, const std::optional<RayCounts>& rays,
-                                const std::optional<MeasuredOn>& on = {});
+[[nodiscard]] Json summary_json(const EngineState& state, const std::optional<MeasuredOn>& on = {});
 
 /// Everything but Action::export_window; of Action::save_session all that is chosen now, of others what is shown.
 /// Returns the path written. InputError.

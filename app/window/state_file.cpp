@@ -223,7 +223,7 @@ Json motion_json(const EngineState& state, const Edit& edit) {
 
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
-    Json json = summary_json(state, {});
+    Json json = summary_json(state);
     json["generation"] = state.generation;
     const TracedFrame& traced = state.picture->traced;
     json["frame"] = {{"width", traced.frame->width},

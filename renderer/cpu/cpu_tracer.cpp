@@ -66,6 +66,8 @@ bool CpuTracer::trace_tiles(const TraceConfig& config, const PinholeCamera& came
                             const std::function<void(float)>& progress) {
     if (!prepare(config, threads, stop)) return false;
     frame.exponent = view_->scene->exponent;
+    frame.sampling = config.sampling;
+    frame.hold_indirect(view_->needs.indirect);
     std::atomic<std::size_t> done = 0;
     parallel_ranges(tiles.size(), 1, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {

@@ -20,7 +20,8 @@ class Kernel {
           blocks(scene_view.leaf_blocks.data()), corners(scene_view.scene->triangles.data()),
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), short_stack(config.short_stack),
-          most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), observer(&first) {}
+          most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), sampling(config.sampling),
+          observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
     /// Where the walks that follow begin: the root, or a node that holds all that their rays can meet.
@@ -61,6 +62,7 @@ class Kernel {
     Traversal chosen;
     int short_stack;
     int most_steps;
+    Sampling sampling;
     int first_node = 0;
     int pending_before = 0;
     Observer* observer;
@@ -121,6 +123,11 @@ class Kernel {
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
     bool scene_has_spot_lights() const { return true; }
+    bool scene_has_soft_shadows() const { return view.needs.soft_shadows; }
+    bool scene_has_gloss() const { return view.needs.gloss; }
+    bool scene_has_indirect() const { return view.needs.indirect; }
+    int sample_number() const { return sampling.sample; }
+    uint sample_seed() const { return sampling.seed; }
     real3 scene_ambient() const { return view.scene->ambient; }
     int step_budget() const { return most_steps; }
 

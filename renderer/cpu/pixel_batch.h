@@ -1,4 +1,4 @@
-// Up to N pixels through the paper's four passes, ray type by ray type, so that rays that are alike are traced
+// Up to N pixels through the passes, ray type by ray type, so that rays that are alike are traced
 // together. What it computes of a pixel is what walk_pixel() does, to the same bits.
 //
 // No include guard: included once per instruction set, behind batch_trace.h.
@@ -17,6 +17,10 @@ class PixelBatch {
         for (int bounce = 0; bounce < job_.view.needs.bounces; ++bounce) {
             if (!reflect(bounce == 0)) break;
             shade(Pass::shade_refl);
+        }
+        if (job_.view.needs.indirect) {
+            scatter();
+            shade(Pass::shade_indirect);
         }
         write();
     }
@@ -45,7 +49,7 @@ class PixelBatch {
     BatchTracer<Kernel, Observer, N> tracer_;
     int count_ = 0;
     Each<int2> place_;
-    Each<Path> path_;
+    Each<Path> path_, primary_;
     Each<bool> alive_;  // the path goes on
     Each<Vec3> colour_;
     std::array<Each<Observer>, pass_count> seen_;
@@ -76,9 +80,10 @@ class PixelBatch {
         for (int i = 0; i < count_; ++i) rays.add(i, kernel_.camera_ray(job_.camera, place_[std::size_t(i)], size));
         trace(rays, Pass::rt_prim, false);
         for (std::size_t i = 0; i < rays.count; ++i) {
-            path_[i] = {rays.ray[i], rays.hit[i], Vec3(1)};
+            path_[i] = {rays.ray[i], rays.hit[i], Vec3(1), place_[i], KD_LEG_PRIMARY};
             hits_[0][i] = rays.hit[i];
         }
+        primary_ = path_;
     }
 
     /// shade_path() of every path that goes on: light_surface() with the loop over lights outside.
@@ -94,23 +99,23 @@ class PixelBatch {
             }
             shaded[i] = true;
             surface[i] = kernel_.surface_at(path_[i].ray, path_[i].hit);
-            total[i] = kernel_.own_light(surface[i]);
+            total[i] = kernel_.own_light(surface[i], path_[i].leg);
             to_viewer[i] = -kernel_.normalise3(path_[i].ray.direction);
         }
-        for (int i = 0; i < kernel_.light_count(); ++i)
-            add_light(pass, kernel_.fetch_light(i), surface, shaded, to_viewer, total);
+        for (int i = 0; i < kernel_.light_count(); ++i) add_light(pass, i, surface, shaded, to_viewer, total);
         for (std::size_t i = 0; i < std::size_t(count_); ++i)
             if (shaded[i]) colour_[i] += path_[i].weight * total[i];
     }
 
-    void add_light(Pass pass, const Light& light, const Each<Surface>& surface, const std::array<bool, N>& shaded,
+    void add_light(Pass pass, int number, const Each<Surface>& surface, const std::array<bool, N>& shaded,
                    const Each<Vec3>& to_viewer, Each<Vec3>& total) {
+        const Light light = kernel_.fetch_light(number);
         Each<typename Kernel::LightSample> sample;
         std::array<bool, N> lit{};
         Rays rays;
         for (std::size_t i = 0; i < std::size_t(count_); ++i) {
             if (!shaded[i]) continue;
-            sample[i] = kernel_.sample_light(light, surface[i].position);
+            sample[i] = kernel_.sample_light(light, surface[i].position, kernel_.light_key(path_[i], number));
             lit[i] = kernel_.faces_light(surface[i], sample[i]);
             if (lit[i] && kernel_.shadows_enabled()) rays.add(int(i), kernel_.shadow_ray(surface[i], sample[i]));
         }
@@ -126,23 +131,40 @@ class PixelBatch {
             if (lit[i]) total[i] = total[i] + kernel_.reflected_light(surface[i], sample[i], to_viewer[i]);
     }
 
-    /// Mirror rays of the paths that still count; false where none does.
+    /// The reflections that still count; false where none does.
     bool reflect(bool first) {
         Rays rays;
-        Each<Vec3> weight;
         for (std::size_t i = 0; i < std::size_t(count_); ++i) {
             if (!alive_[i]) continue;
-            weight[i] = kernel_.reflected_weight(path_[i]);
-            alive_[i] = kernel_.reflection_counts(weight[i], job_.config.least_contribution);
-            if (alive_[i]) rays.add(int(i), kernel_.mirror_ray(path_[i]));
+            alive_[i] = kernel_.reflection_counts(kernel_.reflected_weight(path_[i]), job_.config.least_contribution);
+            if (!alive_[i]) continue;
+            path_[i] = kernel_.reflected_leg(path_[i]);
+            rays.add(int(i), path_[i].ray);
         }
-        trace(rays, Pass::rt_refl, false);
+        trace_legs(rays, Pass::rt_refl, first);
+        return rays.count > 0;
+    }
+
+    /// Indirect light, of the primary hits that scatter it.
+    void scatter() {
+        Rays rays;
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            alive_[i] = kernel_.scatters(primary_[i]);
+            if (!alive_[i]) continue;
+            path_[i] = kernel_.indirect_leg(primary_[i]);
+            rays.add(int(i), path_[i].ray);
+        }
+        trace_legs(rays, Pass::rt_indirect, true);
+    }
+
+    void trace_legs(Rays& rays, Pass pass, bool first) {
+        trace(rays, pass, false);
         for (std::size_t k = 0; k < rays.count; ++k) {
             const auto i = std::size_t(rays.pixel[k]);
-            path_[i] = {rays.ray[k], rays.hit[k], weight[i]};
-            if (first) hits_[std::size_t(Pass::rt_refl)][i] = rays.hit[k];
+            path_[i].hit = rays.hit[k];
+            alive_[i] = kernel_.path_counts(path_[i]);
+            if (first) hits_[std::size_t(pass)][i] = rays.hit[k];
         }
-        return rays.count > 0;
     }
 
     void write() {
@@ -151,6 +173,7 @@ class PixelBatch {
             const std::size_t at = frame.colour.index(place_[i].x, place_[i].y);
             frame.colour.pixels[at] = Vec4(colour_[i], 1.0f);
             for (std::size_t pass = 0; pass < pass_count; ++pass) {
+                if (!frame.holds(Pass(pass))) continue;
                 frame.layers[pass].hit.pixels[at] = hits_[pass][i];
                 if constexpr (requires { seen_[pass][i].counters; })
                     frame.layers[pass].counters.pixels[at] = seen_[pass][i].counters;

@@ -13,6 +13,6 @@ using int4 = glm::ivec4;
 
 // std140 puts each vector of four at the next multiple of 16.
 static_assert(sizeof(SceneBlock) == 96 && offsetof(SceneBlock, counts) == 64 && offsetof(SceneBlock, limits) == 80);
-static_assert(sizeof(FrameBlock) == 160 && offsetof(FrameBlock, image) == 64 && offsetof(FrameBlock, criteria) == 96);
+static_assert(sizeof(FrameBlock) == 176 && offsetof(FrameBlock, image) == 64 && offsetof(FrameBlock, criteria) == 96);
 
 }  // namespace kd::gl_blocks

@@ -19,6 +19,7 @@ gl_blocks::FrameBlock encode_block(const GlTraceConfig& config, const PinholeCam
         .entry = {entries.x0, entries.y0, entries.tile, entries.columns},
         .tile = {tile.x0, tile.y0, tile.x1, tile.y1},
         .wave = {},
+        .sampling = {config.trace.sampling.sample, int(config.trace.sampling.seed), 0, 0},
     };
 }
 
@@ -48,21 +49,29 @@ void FramePasses::run() {
     pass(Pass::shade_prim, 0);
     const int bounces = settings_.needs.bounces;
     for (int bounce = 0; bounce < bounces; ++bounce) reflect(bounce);
+    if (settings_.needs.indirect) scatter();
     t_.timer.end_frame(report_);
 }
 
 void FramePasses::reflect(int bounce) {
     settings_.later_bounce = bounce > 0;
     // The first bounce reads RTPrim's hit, bound already.
-    if (bounce > 0) bind_path(bounce - 1);
+    if (bounce > 0) bind_path(t_.targets.path(bounce - 1));
     pass(Pass::rt_refl, bounce);
     if (bounce == 0 && t_.targets.key().bounces > 1) copy(t_.targets.path(0).hit, t_.targets.layer(Pass::rt_refl).hit);
-    bind_path(bounce);
+    bind_path(t_.targets.path(bounce));
     pass(Pass::shade_refl, bounce);
 }
 
-void FramePasses::bind_path(int bounce) {
-    const PathTargets& path = t_.targets.path(bounce);
+void FramePasses::scatter() {
+    settings_.later_bounce = false;
+    bind_texture(gl_, Unit::path_hit, t_.targets.layer(Pass::rt_prim).hit);
+    pass(Pass::rt_indirect, 0);
+    bind_path(t_.targets.indirect_path());
+    pass(Pass::shade_indirect, 0);
+}
+
+void FramePasses::bind_path(const PathTargets& path) {
     bind_texture(gl_, Unit::path_hit, path.hit);
     bind_texture(gl_, Unit::path_direction, path.direction);
     bind_texture(gl_, Unit::path_weight, path.weight);

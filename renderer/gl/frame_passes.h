@@ -45,12 +45,13 @@ class FramePasses {
     GlFrameReport& report_;
 
     void reflect(int bounce);
-    void bind_path(int bounce);
+    void scatter();
+    void bind_path(const PathTargets& path);
     void pass(Pass pass, int bounce);
     void add_shaded(Pass pass);
 };
 
-static_assert(static_cast<int>(Step::shade_refl) == static_cast<int>(Pass::shade_refl));
+static_assert(static_cast<int>(Step::shade_indirect) == static_cast<int>(Pass::shade_indirect));
 
 /// The passes as screen-aligned quads (gl_tracer_draw.cpp) and as dispatches (gl_tracer_compute.cpp).
 [[nodiscard]] std::unique_ptr<FramePasses> drawn_passes(GlTracer::Impl& tracer, const GlTraceConfig& config, Tile tile,

@@ -54,7 +54,7 @@ GlFramebuffer make_framebuffer(const GlApi& gl, const std::array<const GlTexture
 }
 
 TargetKey target_key(const SceneNeeds& needs, int width, int height) {
-    return {width, height, needs.counters, needs.shadows, std::min(needs.bounces, 2)};
+    return {width, height, needs.counters, needs.shadows, std::min(needs.bounces, 2), needs.indirect};
 }
 
 std::int64_t target_bytes(const TargetKey& key) {
@@ -64,21 +64,21 @@ std::int64_t target_bytes(const TargetKey& key) {
     std::int64_t pixel = texel + depth + texel + counters + shadows;
     if (key.bounces > 0) pixel += counters + shadows + 3 * texel * key.bounces;
     if (key.bounces > 1) pixel += texel + counters + (key.shadows ? texel : 0);  // the first hit; the earlier layer
+    if (key.indirect) pixel += counters + shadows + 3 * texel;
     return pixel * key.width * key.height;
 }
 
 FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
     colour_ = texture(gl, GL_RGBA32F, 16, "colour");
     depth_ = texture(gl, GL_DEPTH_COMPONENT32F, 4, "depth");
-    LayerTargets& prim = layers_[0];
-    LayerTargets& shade = layers_[1];
+    LayerTargets& prim = layer_of(Pass::rt_prim);
     prim = make_layer(gl, true, name_of(Pass::rt_prim));
-    shade = make_shadow_layer(gl, Pass::shade_prim);
+    layer_of(Pass::shade_prim) = make_shadow_layer(gl, Pass::shade_prim);
     framebuffers_[0] =
         attach(gl, {&prim.counters_a, &prim.counters_b, &prim.hit, nullptr, nullptr}, name_of(Pass::rt_prim));
-    framebuffers_[1] =
-        attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr}, name_of(Pass::shade_prim));
+    framebuffers_[1] = attach_shading(gl, Pass::shade_prim);
     if (key.bounces > 0) make_reflection_targets(gl);
+    if (key.indirect) make_indirect_targets(gl);
 
     gl.Disable(GL_SCISSOR_TEST);
     constexpr float far = 1.0f;
@@ -88,22 +88,39 @@ FrameTargets::FrameTargets(const GlApi& gl, const TargetKey& key) : key_(key) {
     check_gl(gl, "making the targets of the passes");
 }
 
+PathTargets FrameTargets::make_path(const GlApi& gl) {
+    return {texture(gl, GL_RGBA32UI, 16, "path hit"), texture(gl, GL_RGBA32F, 16, "path direction"),
+            texture(gl, GL_RGBA32F, 16, "path weight")};
+}
+
 void FrameTargets::make_reflection_targets(const GlApi& gl) {
-    LayerTargets& refl = layers_[2];
-    LayerTargets& shade = layers_[3];
-    refl = make_layer(gl, key_.bounces > 1, name_of(Pass::rt_refl));
-    shade = make_shadow_layer(gl, Pass::shade_refl);
+    layer_of(Pass::rt_refl) = make_layer(gl, key_.bounces > 1, name_of(Pass::rt_refl));
+    layer_of(Pass::shade_refl) = make_shadow_layer(gl, Pass::shade_refl);
     if (key_.bounces > 1) earlier_ = make_layer(gl, key_.shadows, "earlier bounces");
     for (std::size_t i = 0; i < std::size_t(key_.bounces); ++i) {
-        PathTargets& path = paths_[i];
-        path.hit = texture(gl, GL_RGBA32UI, 16, "path hit");
-        path.direction = texture(gl, GL_RGBA32F, 16, "path direction");
-        path.weight = texture(gl, GL_RGBA32F, 16, "path weight");
-        bounces_[i] = attach(gl, {&refl.counters_a, &refl.counters_b, &path.hit, &path.direction, &path.weight},
-                             name_of(Pass::rt_refl));
+        paths_[i] = make_path(gl);
+        bounces_[i] = attach_path(gl, Pass::rt_refl, paths_[i]);
     }
-    framebuffers_[3] =
-        attach(gl, {&shade.counters_a, &shade.counters_b, &shade.hit, &colour_, nullptr}, name_of(Pass::shade_refl));
+    framebuffers_[3] = attach_shading(gl, Pass::shade_refl);
+}
+
+void FrameTargets::make_indirect_targets(const GlApi& gl) {
+    layer_of(Pass::rt_indirect) = make_layer(gl, false, name_of(Pass::rt_indirect));
+    layer_of(Pass::shade_indirect) = make_shadow_layer(gl, Pass::shade_indirect);
+    indirect_path_ = make_path(gl);
+    framebuffers_[4] = attach_path(gl, Pass::rt_indirect, indirect_path_);
+    framebuffers_[5] = attach_shading(gl, Pass::shade_indirect);
+}
+
+GlFramebuffer FrameTargets::attach_path(const GlApi& gl, Pass pass, const PathTargets& path) const {
+    const LayerTargets& counted = layer(pass);
+    return attach(gl, {&counted.counters_a, &counted.counters_b, &path.hit, &path.direction, &path.weight},
+                  name_of(pass));
+}
+
+GlFramebuffer FrameTargets::attach_shading(const GlApi& gl, Pass pass) const {
+    const LayerTargets& shadows = layer(pass);
+    return attach(gl, {&shadows.counters_a, &shadows.counters_b, &shadows.hit, &colour_, nullptr}, name_of(pass));
 }
 
 GlTexture FrameTargets::texture(const GlApi& gl, GLenum format, int bytes_per_texel, const std::string& name) {
@@ -130,8 +147,10 @@ GlFramebuffer FrameTargets::attach(const GlApi& gl, const std::array<const GlTex
     return make_framebuffer(gl, outputs, depth_.id(), name);
 }
 
-GLuint FrameTargets::first_reflection_hit() const {
-    return key_.bounces > 1 ? layers_[2].hit.id() : paths_[0].hit.id();
+GLuint FrameTargets::hits(Pass pass) const {
+    if (pass == Pass::rt_indirect) return indirect_path_.hit.id();
+    if (pass == Pass::rt_refl && key_.bounces == 1) return paths_[0].hit.id();
+    return layer(pass).hit.id();
 }
 
 void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const float* colour) const {
@@ -145,13 +164,16 @@ void FrameTargets::clear_framebuffer(const GlApi& gl, GLuint framebuffer, const 
 }
 
 void FrameTargets::clear(const GlApi& gl, const std::array<float, 4>& background) const {
-    clear_framebuffer(gl, framebuffer(Pass::shade_prim), background.data());
-    if (key_.bounces == 0) return;
-    for (int bounce = 0; bounce < key_.bounces; ++bounce) {
-        clear_framebuffer(gl, bounce_framebuffer(bounce), no_colour.data());
+    const auto clear_path = [&](GLuint framebuffer_of_path) {
+        clear_framebuffer(gl, framebuffer_of_path, no_colour.data());
         gl.ClearBufferfv(GL_COLOR, index_of(Output::weight), no_colour.data());
-    }
-    clear_framebuffer(gl, framebuffer(Pass::shade_refl), background.data());
+    };
+    clear_framebuffer(gl, framebuffer(Pass::shade_prim), background.data());
+    for (int bounce = 0; bounce < key_.bounces; ++bounce) clear_path(bounce_framebuffer(bounce));
+    if (key_.bounces > 0) clear_framebuffer(gl, framebuffer(Pass::shade_refl), background.data());
+    if (!key_.indirect) return;
+    clear_path(framebuffer(Pass::rt_indirect));
+    clear_framebuffer(gl, framebuffer(Pass::shade_indirect), background.data());
 }
 
 }  // namespace kd

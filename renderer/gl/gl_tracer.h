@@ -1,4 +1,5 @@
-// Traces on OpenGL: GPURT, the paper's four passes over a kd-tree (section 3.2), by one of three kinds of shaders.
+// Traces on OpenGL: GPURT, the paper's four passes over a kd-tree (section 3.2) and two of indirect light, by one of
+// three kinds of shaders.
 #pragma once
 
 #include <array>
@@ -38,7 +39,7 @@ struct GlTraceConfig {
 /// Per pass: time in ms, and shaded pixels where counted (-1 where not, or where the pass did not run).
 struct GlFrameReport {
     std::array<double, pass_count> pass_ms{};
-    std::array<std::int64_t, pass_count> shaded_pixels{-1, -1, -1, -1};
+    std::array<std::int64_t, pass_count> shaded_pixels = for_each_pass<std::int64_t>(-1);
     double total_ms = 0;
     double wall_ms = 0;  // the same by the steady clock; 0 where the clock is that one
     std::string clock;   // "timer query" on hardware, "finish + steady clock" on software

@@ -46,8 +46,8 @@ class ComputedPasses : public FramePasses {
             (void)t_.program(step_of(pass), settings_);
         const LayerTargets& layer = t_.targets.layer(pass);
         ImageSet images{layer.counters_a.id(), layer.counters_b.id(), layer.hit.id(), 0, 0};
-        if (pass == Pass::rt_refl) {
-            const PathTargets& path = t_.targets.path(bounce);
+        if (pass == Pass::rt_refl || pass == Pass::rt_indirect) {
+            const PathTargets& path = pass == Pass::rt_refl ? t_.targets.path(bounce) : t_.targets.indirect_path();
             images = {layer.counters_a.id(), layer.counters_b.id(), path.hit.id(), path.direction.id(),
                       path.weight.id()};
         } else if (pass != Pass::rt_prim) {
@@ -75,8 +75,10 @@ class ComputedPasses : public FramePasses {
         wait_for_stores(gl_);
     }
 
-    /// ShadeRefl works at the pixels that RTRefl has worked at.
-    [[nodiscard]] bool makes_list(Pass pass) const { return settings_.listed && pass != Pass::shade_refl; }
+    /// ShadeRefl and ShadeIndirect work at the pixels that the pass before has worked at.
+    [[nodiscard]] bool makes_list(Pass pass) const {
+        return settings_.listed && (pass == Pass::shade_prim || !shades(pass));
+    }
 
     /// Where few lanes would idle a pass over all pixels is faster than one over a list, for each thread finds in its
     /// cache what it has stored the pass before (docs/performance.md). Reflections are too few for that.

@@ -25,7 +25,7 @@ class DrawnPasses : public FramePasses {
         const bool traces_bounce = pass == Pass::rt_refl;
         gl_.BindFramebuffer(GL_FRAMEBUFFER,
                             traces_bounce ? t_.targets.bounce_framebuffer(bounce) : t_.targets.framebuffer(pass));
-        if (pass == Pass::shade_refl) {
+        if (adds_light(pass)) {
             gl_.Enablei(GL_BLEND, colour_buffer);
             gl_.BlendEquation(GL_FUNC_ADD);
             gl_.BlendFunci(colour_buffer, GL_ONE, GL_ONE);  // the shader's alpha is 0
@@ -36,8 +36,10 @@ class DrawnPasses : public FramePasses {
     void run(Pass pass) override { draw(step_of(pass)); }
 
     void finish(Pass pass) override {
-        if (pass == Pass::shade_refl) gl_.Disable(GL_BLEND);
+        if (adds_light(pass)) gl_.Disable(GL_BLEND);
     }
+
+    static bool adds_light(Pass pass) { return shades(pass) && pass != Pass::shade_prim; }
 
     static constexpr auto colour_buffer = static_cast<GLuint>(Output::colour);
 

@@ -17,14 +17,15 @@ Frame GlTracer::read_frame(const TraceConfig& config) {
     reader.read_colour(t.targets.colour(), frame.colour.pixels);
 
     const SceneNeeds needs = impl_->needs_of(config);
-    const bool reflects = needs.reflections && key.bounces > 0;
-    for (const Pass pass : {Pass::rt_prim, Pass::shade_prim, Pass::rt_refl, Pass::shade_refl}) {
-        const bool reflected = pass == Pass::rt_refl || pass == Pass::shade_refl;
-        const bool shades = pass == Pass::shade_prim || pass == Pass::shade_refl;
-        if ((reflected && !reflects) || (shades && !key.shadows)) continue;  // left as nothing was traced
+    frame.sampling = config.sampling;
+    frame.hold_indirect(needs.indirect && key.indirect);
+    for (int i = 0; i < pass_count; ++i) {
+        const auto pass = static_cast<Pass>(i);
+        const bool reflects = needs.reflections && key.bounces > 0;
+        // What was not traced is left as it is.
+        if (!frame.holds(pass) || (of_reflections(pass) && !reflects) || (shades(pass) && !key.shadows)) continue;
         const LayerTargets& from = t.targets.layer(pass);
-        const GLuint hit = pass == Pass::rt_refl ? t.targets.first_reflection_hit() : from.hit.id();
-        reader.read_hits(hit, frame.layer(pass).hit.pixels);
+        reader.read_hits(t.targets.hits(pass), frame.layer(pass).hit.pixels);
         if (key.counters && config.counters)
             reader.read_counters(from.counters_a.id(), from.counters_b.id(), frame.layer(pass).counters.pixels);
     }

@@ -9,8 +9,8 @@ namespace {
 
 /// Rays that one pixel has in a step at most.
 int rays_per_pixel(Step step, const FlatScene& scene) {
-    const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    return shades ? std::max(1, int(scene.lights.size())) : 1;
+    const bool shading = step <= Step::shade_indirect && shades(static_cast<Pass>(step));
+    return shading ? std::max(1, int(scene.lights.size())) : 1;
 }
 
 /// The largest part of a tile that leaves no more pixels than `most`.

@@ -9,9 +9,10 @@ namespace kd {
 
 namespace {
 
-constexpr std::array<const char*, 10> entry_points{
-    "rt_prim", "shade_prim", "rt_refl",   "shade_refl", "mark",
-    "rays",    "traverse",   "intersect", "list_hits",  "list_reflections"};
+// The passes of indirect light are those of reflections with KD_SCATTER.
+constexpr std::array<const char*, 12> entry_points{"rt_prim",  "shade_prim", "rt_refl",   "shade_refl",
+                                                   "rt_refl",  "shade_refl", "mark",      "rays",
+                                                   "traverse", "intersect",  "list_hits", "list_reflections"};
 
 std::string_view walk_function(const TraceConfig& trace) {
     const TraversalInfo& walk = info(trace.traversal);
@@ -20,7 +21,9 @@ std::string_view walk_function(const TraceConfig& trace) {
 
 bool is_kernel(Step step) { return step == Step::traverse || step == Step::intersect; }
 bool is_list(Step step) { return step == Step::list_hits || step == Step::list_reflections; }
-bool is_pass(Step step) { return step <= Step::shade_refl; }
+bool is_pass(Step step) { return step <= Step::shade_indirect; }
+bool is_shading(Step step) { return is_pass(step) && shades(static_cast<Pass>(step)); }
+bool is_scattering(Step step) { return is_pass(step) && of_indirect_light(static_cast<Pass>(step)); }
 
 void name_files(ProgramKey& key, Step step, GlMode mode) {
     const std::string name = entry_points[static_cast<std::size_t>(step)];
@@ -41,7 +44,7 @@ DepthRule depth_rule(Step step, EarlyZ early_z) {
     if (step == Step::mark) return {GL_GREATER, true, "0.25"};
     if (step == Step::rt_prim || step == Step::rays) return {GL_ALWAYS, true, "0.0"};
     if (early_z == EarlyZ::as_published) return {GL_LEQUAL, false, "0.0"};
-    return {GL_GREATER, false, step == Step::shade_prim ? "0.5" : "0.125"};
+    return {GL_GREATER, false, step == Step::shade_prim || is_scattering(step) ? "0.5" : "0.125"};
 }
 
 namespace {
@@ -78,8 +81,7 @@ ShaderDefines defines_of_mode(Step step, const ProgramSettings& s, bool walks) {
 }  // namespace
 
 bool step_walks(Step step, const SceneNeeds& needs) {
-    const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    return step != Step::mark && !is_list(step) && (!shades || needs.shadows);
+    return step != Step::mark && !is_list(step) && (!is_shading(step) || needs.shadows);
 }
 
 ProgramKey plan_key(int queue, const ProgramSettings& s) {
@@ -104,8 +106,9 @@ const char* steps_of(Traversal traversal) {
 }
 
 ProgramKey program_key(Step step, const ProgramSettings& s) {
-    const bool shades = step == Step::shade_prim || step == Step::shade_refl;
-    const bool reflects = step == Step::rt_refl;
+    const bool shades = is_shading(step);
+    const bool scatters = step == Step::rt_indirect;
+    const bool leaves_surface = step == Step::rt_refl || scatters;
     const bool walks = step_walks(step, s.needs);
     const bool looks_up_materials = step != Step::rays && step != Step::list_hits && !is_kernel(step) &&
                                     (step != Step::rt_prim || s.needs.reflections);
@@ -117,12 +120,16 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_COUNTERS", flag(s.needs.counters && walks)},
         {"KD_PACKED_NODES", flag(!s.needs.wide_nodes && walks && s.trace.traversal != Traversal::naive)},
         {"KD_DUPLICATED", flag(s.needs.leaf_copies && walks)},
-        {"KD_NORMALS", flag(s.needs.normals && (shades || reflects))},
-        {"KD_TEXTURES", flag(s.needs.textures && shades)},
+        {"KD_NORMALS", flag(s.needs.normals && (shades || leaves_surface))},
+        {"KD_TEXTURES", flag(s.needs.textures && (shades || scatters))},
         {"KD_SHADOWS", flag(s.needs.shadows && shades)},
         {"KD_REFLECTIONS", flag(s.needs.reflections && step == Step::rt_prim)},
         {"KD_HIGHLIGHTS", flag(s.needs.highlights && shades)},
         {"KD_EMISSION", flag(s.needs.emission && shades)},
+        {"KD_SOFT_SHADOWS", flag(s.needs.soft_shadows && shades)},
+        {"KD_GLOSS", flag(s.needs.gloss && step == Step::rt_refl)},
+        {"KD_INDIRECT", flag(s.needs.indirect && step == Step::shade_prim)},
+        {"KD_SCATTER", flag(is_scattering(step))},
         {"KD_DIRECTIONAL_LIGHTS", flag(s.needs.directional_lights && shades)},
         {"KD_PLACED_LIGHTS", flag(s.needs.placed_lights && shades)},
         {"KD_SPOT_LIGHTS", flag(s.needs.spot_lights && shades)},

@@ -8,7 +8,7 @@
 
 namespace kd {
 
-/// The steps that draw: the paper's passes, `mark` between bounces (of fragment shaders alone), and `rays`
+/// The steps that draw: the passes, `mark` between bounces (of fragment shaders alone), and `rays`
 /// outside of frames. `traverse` and `intersect` are the kernels of GlMode::wavefront, which walk the rays of all
 /// others; `list_hits` and `list_reflections` tell GlMode::compute which pixels have work.
 enum class Step {
@@ -16,6 +16,8 @@ enum class Step {
     shade_prim,
     rt_refl,
     shade_refl,
+    rt_indirect,
+    shade_indirect,
     mark,
     rays,
     traverse,

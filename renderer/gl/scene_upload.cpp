@@ -26,12 +26,12 @@ std::vector<Words> encode_tables(const FlatScene& scene) {
         table.push_back(words(m.diffuse, bits(m.shininess)));
         table.push_back(words(m.specular, unsigned(m.texture)));
         table.push_back(words(m.reflectance, unsigned(m.emission_texture)));
-        table.push_back(words(m.emission, 0));
+        table.push_back(words(m.emission, bits(m.roughness)));
     }
     for (const Light& l : scene.lights) {
         table.push_back(words(l.position, unsigned(l.kind)));
         table.push_back(words(l.direction, bits(l.range)));
-        table.push_back(words(l.colour, 0));
+        table.push_back(words(l.colour, bits(l.radius)));
         table.emplace_back(bits(l.attenuation.x), bits(l.attenuation.y), bits(l.cos_inner), bits(l.cos_outer));
     }
     std::size_t begin = 0;

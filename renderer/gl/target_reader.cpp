@@ -30,9 +30,10 @@ void TargetReader::read_hits(GLuint texture, std::span<Hit> to) const {
 void TargetReader::read_counters(GLuint a, GLuint b, std::span<RayCounters> to) const {
     const std::vector<glm::uvec4> first = words(a);
     const std::vector<glm::uvec4> second = words(b);
-    std::transform(
-        first.begin(), first.begin() + std::ptrdiff_t(to.size()), second.begin(), to.begin(),
-        [](const glm::uvec4& p, const glm::uvec4& q) { return RayCounters{p.x, p.y, p.z, p.w, q.x, q.y, q.z, q.w}; });
+    std::transform(first.begin(), first.begin() + std::ptrdiff_t(to.size()), second.begin(), to.begin(),
+                   [](const glm::uvec4& p, const glm::uvec4& q) {
+                       return RayCounters{p.x, p.y, p.z, p.w, q.x, q.y, q.z, q.w & 7u, q.w >> 3u};
+                   });
 }
 
 }  // namespace kd

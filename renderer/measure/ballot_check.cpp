@@ -34,20 +34,19 @@ struct Round {
     }
 };
 
-bool shadow(Pass rays) { return rays == Pass::shade_prim || rays == Pass::shade_refl; }
-
 /// All rays of a pass as rounds.
 class Rounds {
   public:
     Rounds(const WalkRequest& request, const std::stop_token& stop)
         : request_(request), frame_(request.width, request.height) {
         request_.config.reflection_depth = std::min(request_.config.reflection_depth, 1);
-        // The shader that counts takes rays from a table, each from the root.
+        // The shader that counts takes rays from a table, each from the root, and lights' middles.
         request_.config.entry_tile = 0;
         request_.config.eye_leaf = false;
+        request_.config.sampling = {};
         const WalkRequest& r = request_;
         CpuTracer(r.scene, r.tree).trace_frame(r.config, r.camera, frame_, r.threads, stop);
-        const int count = shadow(r.rays) ? int(r.scene.lights.size()) : 1;
+        const int count = shades(r.rays) ? int(r.scene.lights.size()) : 1;
         const std::size_t pixels = frame_.colour.pixels.size();
         rounds_.assign(std::size_t(count), {std::vector<Ray>(pixels, no_ray), std::vector<Phases>(pixels),
                                             std::vector<std::uint8_t>(pixels, 0)});
@@ -77,10 +76,9 @@ class Rounds {
     /// The ray that the frame's passes have traced, from what they found.
     [[nodiscard]] Ray ray_of(int x, int y, int round) const {
         const std::size_t i = frame_.colour.index(x, y);
-        const bool mirrored = request_.rays == Pass::rt_refl || request_.rays == Pass::shade_refl;
-        const Pass arriving = mirrored ? Pass::rt_refl : Pass::rt_prim;
+        const Pass arriving = of_reflections(request_.rays) ? Pass::rt_refl : Pass::rt_prim;
         const Ray ray = ray_of_pixel(request_.scene, request_.camera, frame_, arriving, x, y).value_or(no_ray);
-        if (!shadow(request_.rays)) return ray;
+        if (!shades(request_.rays)) return ray;
         return shadow_ray(request_.scene, ray, frame_.layer(arriving).hit.pixels[i],
                           request_.scene.lights[std::size_t(round)])
             .ray;
@@ -144,7 +142,7 @@ void compare_rays(CpuTracer& cpu, const WalkRequest& request, const Round& round
                   BallotReport& report) {
     std::vector<Hit> hits(round.rays.size());
     std::vector<RayCounters> counters(round.rays.size());
-    cpu.trace_rays(request.config, round.rays, shadow(request.rays), hits, counters, request.threads);
+    cpu.trace_rays(request.config, round.rays, shades(request.rays), hits, counters, request.threads);
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (!round.there[i]) continue;
         ++report.rays;
@@ -188,7 +186,7 @@ BallotReport check_ballots(GlTracer& tracer, const WalkRequest& request, Schedul
     CpuTracer cpu(request.scene, request.tree);
     for (const Round& round : rounds.all()) {
         if (stop.stop_requested()) return {};
-        const BallotLayer layer = tracer.measure_ballots(request.config, loop, round.rays, shadow(request.rays),
+        const BallotLayer layer = tracer.measure_ballots(request.config, loop, round.rays, shades(request.rays),
                                                          request.width, request.height);
         report.group_size = layer.group_size;
         find_tile(layer, report);

@@ -5,16 +5,18 @@
 
 #include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/sampling.h"
 
 namespace kd::f64 {
 
 /// Hooks that read a scene, and the shared text behind them. Walks are over all triangles; with `boxes`, those of the
 /// scene, they pass over the ones that the ray cannot hit, and answer the same. Without `shadows` no shadow ray is
-/// traced.
+/// traced; `sampling` says what light is sampled.
 class DoubleKernel {
   public:
-    explicit DoubleKernel(const FlatScene& scene, const TriangleBoxes* boxes = nullptr, bool shadows = true)
-        : scene_(scene), boxes_(boxes), shadows_(shadows) {}
+    explicit DoubleKernel(const FlatScene& scene, const TriangleBoxes* boxes = nullptr, bool shadows = true,
+                          const Sampling& sampling = {})
+        : scene_(scene), boxes_(boxes), shadows_(shadows), sampling_(sampling) {}
 
 #define KD_RULES KD_RULES_ROBUST
 #define KD_TRAVERSE traverse_all
@@ -30,7 +32,10 @@ class DoubleKernel {
 #include "shaders/shared/traverse.glsl"
 #include "shaders/shared/camera.glsl"
 #include "shaders/shared/surface.glsl"
+#include "shaders/shared/samples.glsl"
+#include "shaders/shared/path.glsl"
 #include "shaders/shared/lighting.glsl"
+#include "shaders/shared/scatter.glsl"
 #include "shaders/shared/passes.glsl"
 // clang-format on
 #undef KD_TEST_LEAF
@@ -60,6 +65,12 @@ class DoubleKernel {
     bool scene_has_directional_lights() const { return true; }
     bool scene_has_placed_lights() const { return true; }
     bool scene_has_spot_lights() const { return true; }
+    [[nodiscard]] bool samples(bool effect) const { return sampling_.sample >= 0 && effect; }
+    bool scene_has_soft_shadows() const { return samples(sampling_.soft_shadows); }
+    bool scene_has_gloss() const { return samples(sampling_.gloss); }
+    bool scene_has_indirect() const { return samples(sampling_.indirect); }
+    int sample_number() const { return sampling_.sample; }
+    uint sample_seed() const { return sampling_.seed; }
     real3 scene_ambient() const { return real3(scene_.ambient); }
     real3 scene_background() const { return real3(scene_.background); }
     void fetch_bounds(real3& lower, real3& upper) const {
@@ -96,17 +107,18 @@ class DoubleKernel {
     Material fetch_material(int index) const {
         const kd::Material& m = scene_.materials[std::size_t(index)];
         return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), real3(m.emission),
-                m.shininess,      m.texture,         m.emission_texture};
+                m.shininess,      m.texture,         m.emission_texture,   m.roughness};
     }
     Light fetch_light(int index) const {
         const kd::Light& l = scene_.lights[std::size_t(index)];
         return {l.kind,  real3(l.position), real3(l.direction), real3(l.colour), real2(l.attenuation),
-                l.range, l.cos_inner,       l.cos_outer};
+                l.range, l.cos_inner,       l.cos_outer,        l.radius};
     }
 
     const FlatScene& scene_;
     const TriangleBoxes* boxes_;
     bool shadows_;
+    Sampling sampling_;
 };
 
 }  // namespace kd::f64

@@ -15,6 +15,8 @@ struct PathConfig {
     int bounces = 1;               // reflections, 0 and more
     float least_contribution = 0;  // as TraceConfig has it
     bool shadows = true;
+    Sampling sampling{};
+    bool indirect = false;  // is sampled
 };
 
 /// What the single-precision tracers do with `scene` under `config`.

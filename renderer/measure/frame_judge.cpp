@@ -16,7 +16,8 @@ std::optional<Ray> ray_of_pixel(const FlatScene& scene, const PinholeCamera& cam
     if (rays == Pass::rt_prim) return primary;
     const Hit& mirror = frame.layer(Pass::rt_prim).hit.pixels[i];
     if (mirror.triangle < 0) return std::nullopt;
-    return reflect_hit(scene, primary, mirror).ray;
+    const SampledPixel at{frame.sampling, {x, y}};
+    return (rays == Pass::rt_indirect ? scatter_hit : reflect_hit)(scene, primary, mirror, at).ray;
 }
 
 std::optional<JudgedLayer> judge_frame(const DoubleOracle& oracle, const FrameToJudge& task, std::stop_token stop,

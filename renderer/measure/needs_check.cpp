@@ -106,6 +106,7 @@ NeedsCheckRow compare_frames(const Frame& without, const Frame& with) {
     const auto differ = [&](std::size_t pass, std::size_t i) {
         const RayLayer& a = without.layers[pass];
         const RayLayer& b = with.layers[pass];
+        if (!without.holds(Pass(pass)) || !with.holds(Pass(pass))) return std::pair(false, false);
         return std::pair(!bit_equal(a.hit.pixels[i], b.hit.pixels[i]), !(a.counters.pixels[i] == b.counters.pixels[i]));
     };
     for (std::size_t i = 0; i < without.colour.pixels.size(); ++i) {

@@ -15,13 +15,17 @@ namespace {
 
 using PlainKernel = Kernel<NullObserver, Rules::robust>;
 
-/// Calls back with a kernel that may trace with the naive traversal alone.
+/// Calls back with a kernel that may trace with the naive traversal alone, and samples light as `sampling` says.
 template <class Use>
-auto with_kernel(const FlatScene& scene, const Use& use) {
+auto with_kernel(const FlatScene& scene, const Use& use, const Sampling& sampling = {}) {
     const KdTree no_tree;
     SceneView view(scene, no_tree);
-    view.needs.normals = scene.has_normals;
     TraceConfig naive;
+    naive.sampling = sampling;
+    const bool sampled = sampling.sample >= 0;
+    view.needs.normals = scene.has_normals;
+    view.needs.gloss = sampled && sampling.gloss;
+    view.needs.indirect = sampled && sampling.indirect;
     naive.traversal = Traversal::naive;
     NullObserver observer;
     PlainKernel kernel(view, naive, observer);
@@ -64,17 +68,38 @@ LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit
     });
 }
 
-LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit) {
-    return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
-        const auto surface = kernel.surface_at(arriving, hit);
-        return {kernel.mirror_ray({arriving, hit, Vec3(1)}), surface.position, surface.geometric};
-    });
+namespace {
+
+/// The ray of the leg that `go_on` makes of a primary ray's path.
+template <class GoOn>
+LeavingRay leave_sampled(const FlatScene& scene, const Ray& arriving, const Hit& hit, const SampledPixel& at,
+                         const GoOn& go_on) {
+    return with_kernel(
+        scene,
+        [&](PlainKernel& kernel) -> LeavingRay {
+            const auto surface = kernel.surface_at(arriving, hit);
+            const PlainKernel::Path path{arriving, hit, Vec3(1), at.pixel, KD_LEG_PRIMARY};
+            return {go_on(kernel, path).ray, surface.position, surface.geometric};
+        },
+        at.sampling);
+}
+
+}  // namespace
+
+LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, const SampledPixel& at) {
+    return leave_sampled(scene, arriving, hit, at,
+                         [](PlainKernel& kernel, const auto& path) { return kernel.reflected_leg(path); });
+}
+
+LeavingRay scatter_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, const SampledPixel& at) {
+    return leave_sampled(scene, arriving, hit, at,
+                         [](PlainKernel& kernel, const auto& path) { return kernel.indirect_leg(path); });
 }
 
 LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light) {
     return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
         const auto surface = kernel.surface_at(arriving, hit);
-        const auto sample = kernel.sample_light(light, surface.position);
+        const auto sample = kernel.sample_light(light, surface.position, 0);
         return {kernel.shadow_ray(surface, sample), surface.position, surface.geometric};
     });
 }
@@ -82,7 +107,7 @@ LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hi
 std::vector<Ray> shadow_rays(const FlatScene& scene, std::span<const Ray> arriving, std::span<const Hit> hits,
                              const Light& light) {
     return rays_from(scene, arriving, hits, [&](PlainKernel& kernel, const auto& surface) {
-        return kernel.shadow_ray(surface, kernel.sample_light(light, surface.position));
+        return kernel.shadow_ray(surface, kernel.sample_light(light, surface.position, 0));
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include "renderer/measure/triangle_boxes.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/sampling.h"
 
 namespace kd {
 
@@ -21,8 +22,18 @@ struct LeavingRay {
 [[nodiscard]] LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, Vec3 direction,
                                    float t_max = KD_T_LIMIT);
 
-/// The ray that trace_reflection() would trace after this hit.
-[[nodiscard]] LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit);
+/// Whose samples are drawn.
+struct SampledPixel {
+    Sampling sampling{};
+    int2 pixel{0, 0};
+};
+
+/// The ray that trace_reflection() would trace after this hit of a primary ray.
+[[nodiscard]] LeavingRay reflect_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit,
+                                     const SampledPixel& at = {});
+/// The ray that trace_indirect() would.
+[[nodiscard]] LeavingRay scatter_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit,
+                                     const SampledPixel& at);
 
 /// The shadow ray towards a point light.
 [[nodiscard]] LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light);

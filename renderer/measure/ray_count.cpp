@@ -27,11 +27,12 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     SceneView view(scene, tree);
     view.needs = scene_needs(view.facts, config);
     Frame walks(width, height);
+    walks.hold_indirect(view.needs.indirect);
     parallel_ranges(std::size_t(height), 1, 0, [&](std::size_t row, std::size_t) {
         if (stop.stop_requested()) return;
         const int y = int(row);
         WalkCounter counter;
-        Kernel<WalkCounter, Rules::robust> kernel(view, TraceConfig{}, counter);
+        Kernel<WalkCounter, Rules::robust> kernel(view, {.sampling = config.sampling}, counter);
         const TileJob job{view, config, camera, {0, y, width, y + 1}, walks};
         for (int x = 0; x < width; ++x) trace_pixel<decltype(kernel), WalkCounter>(kernel, job, x, y);
     });
@@ -41,12 +42,10 @@ RayCounts count_rays(const FlatScene& scene, const KdTree& tree, const TraceConf
     return counts;
 }
 
-std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays) {
+std::array<CounterTotals, pass_count> pass_totals(const Frame& frame) {
     std::array<CounterTotals, pass_count> totals;
-    for (std::size_t pass = 0; pass < pass_count; ++pass) {
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
         for (const RayCounters& counters : frame.layers[pass].counters.pixels) totals[pass].add(counters);
-        totals[pass].rays = std::uint64_t(rays[pass]);  // a pixel may trace none, or several
-    }
     return totals;
 }
 

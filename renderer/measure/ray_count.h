@@ -21,7 +21,7 @@ using RayCounts = std::array<std::int64_t, pass_count>;
                                    const PinholeCamera& camera, int width, int height, std::stop_token stop = {});
 
 /// Sums over the pixels of each pass, with the number of rays traced.
-[[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame, const RayCounts& rays);
+[[nodiscard]] std::array<CounterTotals, pass_count> pass_totals(const Frame& frame);
 /// Sums over all passes; the deepest stack is their maximum.
 [[nodiscard]] CounterTotals sum_of(const std::array<CounterTotals, pass_count>& passes);
 

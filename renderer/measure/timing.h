@@ -16,7 +16,7 @@ namespace kd {
 struct TimeSample {
     double ms = -1;       // by the clock of what ran
     double wall_ms = -1;  // the same run by the steady clock, where `ms` is from another clock
-    std::array<double, pass_count> pass_ms{-1, -1, -1, -1};  // of ms
+    std::array<double, pass_count> pass_ms = for_each_pass(-1.0);  // of ms
 };
 
 struct TimeSummary {

@@ -46,14 +46,13 @@ double WalkRow::of(const WalkRow& stack, Pass rays) const {
 
 std::vector<WalkRow> walk_table(const WalkTableTask& task, std::stop_token stop) {
     std::vector<WalkRow> rows;
-    const RayCounts counts = count_rays(task.scene, task.tree, task.config, task.camera, task.width, task.height, stop);
     CpuTracer tracer(task.scene, task.tree);
     Frame frame(task.width, task.height);
     for (WalkVariant& variant : walk_variants(task.config)) {
         variant.config.counters = true;
         tracer.trace_frame(variant.config, task.camera, frame, task.threads, stop);
         if (stop.stop_requested()) break;
-        rows.push_back({std::move(variant), pass_totals(frame, counts)});
+        rows.push_back({std::move(variant), pass_totals(frame)});
     }
     return rows;
 }

@@ -72,6 +72,28 @@ FeatureNeed emission(Facts f, Config) {
     return f.emission ? needed("a material emits light") : idle("no material emits light");
 }
 
+constexpr std::string_view unsampled = "light is not sampled";
+
+FeatureNeed soft_shadows(Facts f, Config c) {
+    if (c.sampling.sample < 0) return refused(std::string(unsampled));
+    if (!c.sampling.soft_shadows) return refused("switched off");
+    return f.large_lights > 0 ? needed(counted(f.large_lights, "light with a radius")) : idle("all lights are points");
+}
+
+FeatureNeed gloss(Facts f, Config c) {
+    if (c.sampling.sample < 0) return refused(std::string(unsampled));
+    if (!c.sampling.gloss) return refused("switched off");
+    if (countable_bounces(f, c) == 0) return idle("nothing is reflected");
+    if (f.roughest_reflection > 0.0f) return needed(fmt::format("roughness up to {}", f.roughest_reflection));
+    return idle("what reflects is a mirror");
+}
+
+FeatureNeed indirect(Facts f, Config c) {
+    if (c.sampling.sample < 0) return refused(std::string(unsampled));
+    if (!c.sampling.indirect) return refused("switched off");
+    return f.diffuse ? needed("a material scatters light") : idle("no material scatters light");
+}
+
 FeatureNeed textures(Facts f, Config) {
     return f.textures ? needed("a material has an image") : idle("no textured material");
 }
@@ -158,6 +180,15 @@ constexpr std::array table{
                 highlights},
     FeatureInfo{Feature::emission, "emission", "emission", "A fourth texel per material, added at each hit.",
                 &SceneNeeds::emission, true, emission},
+    FeatureInfo{Feature::soft_shadows, "soft-shadows", "soft shadows",
+                "A point of each light's disc for each sample, rather than its middle.", &SceneNeeds::soft_shadows,
+                true, soft_shadows},
+    FeatureInfo{Feature::gloss, "gloss", "glossy reflection",
+                "A facet for each mirror ray of a rough surface, rather than its normal.", &SceneNeeds::gloss, true,
+                gloss},
+    FeatureInfo{Feature::indirect, "indirect", "RTIndirect, ShadeIndirect",
+                "The passes of rays that scatter from primary hits to what lights them, with their targets.",
+                &SceneNeeds::indirect, true, indirect},
     FeatureInfo{Feature::textures, "textures", "texture fetch",
                 "Texture coordinates of every corner, the images, and four texels per hit.", &SceneNeeds::textures,
                 true, textures},

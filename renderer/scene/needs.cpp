@@ -23,6 +23,12 @@ int countable_bounces(const SceneFacts& facts, const TraceConfig& config) {
     return bounces;
 }
 
+namespace {
+
+float largest(Vec3 colour) { return std::max({colour.x, colour.y, colour.z}); }
+
+}  // namespace
+
 SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
     SceneFacts facts;
     facts.triangles = std::int64_t(scene.triangles.size());
@@ -30,6 +36,7 @@ SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
     for (const Light& light : scene.lights) {
         facts.directional_lights += light.kind == KD_LIGHT_DIRECTIONAL;
         facts.spot_lights += light.kind == KD_LIGHT_SPOT;
+        facts.large_lights += light.radius > 0.0f;
     }
     // What no triangle has asks for nothing.
     std::vector<bool> used(scene.materials.size(), false);
@@ -41,10 +48,11 @@ SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
         const bool emits = material.emission != Vec3(0.0f);
         facts.emission = facts.emission || emits;
         facts.textures = facts.textures || material.texture >= 0 || (emits && material.emission_texture >= 0);
-        for (int channel = 0; channel < 3; ++channel) {
-            facts.largest_reflectance = std::max(facts.largest_reflectance, material.reflectance[channel]);
-            facts.highlights = facts.highlights || material.specular[channel] != 0.0f;
-        }
+        facts.diffuse = facts.diffuse || largest(material.diffuse) > 0.0f;
+        if (largest(material.reflectance) > 0.0f)
+            facts.roughest_reflection = std::max(facts.roughest_reflection, material.roughness);
+        facts.largest_reflectance = std::max(facts.largest_reflectance, largest(material.reflectance));
+        facts.highlights = facts.highlights || material.specular != Vec3(0.0f);
     }
     facts.normals = scene.has_normals;
     facts.deepest_leaf = std::ranges::max(node_depths(tree));

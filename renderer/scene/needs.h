@@ -21,6 +21,9 @@ struct SceneFacts {
     float largest_reflectance = 0.0f;  // of these, 0..1
     bool highlights = false;           // one of these has a specular colour
     bool emission = false;             // one of these emits
+    bool diffuse = false;              // one of these scatters light
+    float roughest_reflection = 0.0f;  // of these that reflect, 0..1
+    int large_lights = 0;              // with a radius
     bool textures = false;             // one of these has an image
     bool normals = false;              // FlatScene::has_normals
     int deepest_leaf = 0;              // levels below the root
@@ -39,6 +42,9 @@ struct SceneNeeds {
     bool spot_lights = false;
     bool highlights = false;
     bool emission = false;
+    bool soft_shadows = false;
+    bool gloss = false;
+    bool indirect = false;  // RTIndirect and ShadeIndirect run
     bool textures = false;
     bool normals = false;
     bool material_numbers = false;

@@ -17,7 +17,7 @@ Material glossy(Vec3 colour, float specular, float shininess) {
     return material;
 }
 
-Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation) {
+Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation, float radius) {
     Light light{};
     light.kind = KD_LIGHT_POINT;
     light.position = position;
@@ -27,6 +27,7 @@ Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation) {
     light.range = 0.0f;
     light.cos_inner = 1.0f;
     light.cos_outer = 0.0f;
+    light.radius = radius;
     return light;
 }
 

@@ -14,7 +14,7 @@ namespace kd {
 [[nodiscard]] Material glossy(Vec3 colour, float specular, float shininess);
 
 /// A point light whose intensity falls with 1 / (attenuation.x + attenuation.y * distance^2); constant by default.
-[[nodiscard]] Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation = {1.0f, 0.0f});
+[[nodiscard]] Light point_light(Vec3 position, Vec3 colour, Vec2 attenuation = {1.0f, 0.0f}, float radius = 0.0f);
 
 /// What a surface without a material gets.
 [[nodiscard]] Material default_material();

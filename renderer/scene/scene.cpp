@@ -169,7 +169,7 @@ bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std:
 bool is_usable(const Light& light) {
     return is_finite(light.position) && is_finite(light.direction) && is_finite(light.colour) &&
            std::isfinite(light.attenuation.x) && std::isfinite(light.attenuation.y) && std::isfinite(light.range) &&
-           std::isfinite(light.cos_inner) && std::isfinite(light.cos_outer);
+           std::isfinite(light.cos_inner) && std::isfinite(light.cos_outer) && std::isfinite(light.radius);
 }
 
 /// Lights and camera, with replacements where the scene has none that can be used.

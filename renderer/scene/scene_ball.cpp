@@ -36,7 +36,7 @@ Scene open_box() {
     add_walls("right wall", box_right, matte({0.82f, 0.70f, 0.54f}));
 
     scene.ambient = Vec3(0.20f);
-    scene.lights.push_back(point_light({-0.55f, 1.75f, 1.60f}, Vec3(0.88f), {0.75f, 0.06f}));
+    scene.lights.push_back(point_light({-0.55f, 1.75f, 1.60f}, Vec3(0.88f), {0.75f, 0.06f}, 0.15f));
     scene.camera = Camera{.eye = {0.0f, 1.1f, 4.35f}, .target = {0.0f, 1.03f, 0.0f}, .fov_y_degrees = 38.0f};
     return scene;
 }

@@ -30,12 +30,13 @@ Scene make_cornell(int, unsigned) {
     tall.faces = box_front;
     Material mirror = matte(Vec3(0.16f));
     mirror.reflectance = Vec3(0.7f);
+    mirror.roughness = 0.2f;
     place_box(scene, "mirror face", tall, mirror);
     const BoxShape low{.lower = {0.20f, 0.0f, -0.05f}, .upper = {0.78f, 0.58f, 0.53f}, .turn_degrees = -17.0};
     place_box(scene, "low cube", low, matte(Vec3(0.74f, 0.73f, 0.70f)));
 
     scene.ambient = Vec3(0.20f);
-    scene.lights.push_back(point_light({-0.1f, 1.85f, 0.90f}, Vec3(1.0f, 0.97f, 0.92f), {0.90f, 0.12f}));
+    scene.lights.push_back(point_light({-0.1f, 1.85f, 0.90f}, Vec3(1.0f, 0.97f, 0.92f), {0.90f, 0.12f}, 0.25f));
     scene.camera = Camera{.eye = {0.0f, 1.0f, 3.95f}, .target = {0.0f, 1.0f, 0.0f}, .fov_y_degrees = 38.0f};
     return scene;
 }

@@ -78,7 +78,7 @@ Scene make_rooms(int, unsigned seed) {
     place_boxes(scene, random);
 
     scene.ambient = Vec3(0.20f);
-    scene.lights.push_back(point_light({1.1f, 2.5f, 1.3f}, Vec3(0.95f), {0.80f, 0.045f}));
+    scene.lights.push_back(point_light({1.1f, 2.5f, 1.3f}, Vec3(0.95f), {0.80f, 0.045f}, 0.15f));
     scene.camera = Camera{.eye = {1.75f, 1.85f, 1.8f}, .target = {-0.25f, 0.80f, -0.35f}, .fov_y_degrees = 62.0f};
     return scene;
 }

@@ -128,7 +128,7 @@ Scene make_scatter(int size, unsigned seed) {
 
     scene.ambient = Vec3(0.20f);
     scene.background = Vec3(0.07f, 0.08f, 0.10f);
-    scene.lights.push_back(point_light({1.2f, 1.8f, float(eye_z)}, Vec3(0.80f)));
+    scene.lights.push_back(point_light({1.2f, 1.8f, float(eye_z)}, Vec3(0.80f), {1.0f, 0.0f}, 0.15f));
     scene.camera =
         Camera{.eye = {0.0f, 0.0f, float(eye_z)}, .target = {0.0f, 0.0f, 0.0f}, .fov_y_degrees = fov_degrees};
     return scene;

@@ -115,7 +115,7 @@ Scene make_sheet(int size, unsigned seed) {
     scene.motion = std::make_shared<WaveMotion>(size, waves);
 
     scene.ambient = Vec3(0.20f);
-    scene.lights.push_back(point_light({-2.2f, 2.6f, -2.4f}, Vec3(0.95f), {0.85f, 0.025f}));
+    scene.lights.push_back(point_light({-2.2f, 2.6f, -2.4f}, Vec3(0.95f), {0.85f, 0.025f}, 0.2f));
     scene.camera = Camera{.eye = {0.0f, 2.6f, 3.0f}, .target = {0.0f, 0.0f, 0.2f}, .fov_y_degrees = 35.0f};
     return scene;
 }

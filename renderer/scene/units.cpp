@@ -56,6 +56,7 @@ Light to_internal(const FlatScene& scene, const Light& light) {
     Light scaled = light;
     scaled.position = to_internal(scene, light.position);
     scaled.range = to_internal(scene, light.range);
+    if (light.kind != KD_LIGHT_DIRECTIONAL) scaled.radius = to_internal(scene, light.radius);  // else a tangent
     // Falloff is this times a squared length.
     scaled.attenuation.y = std::min(std::ldexp(light.attenuation.y, 2 * scene.exponent), KD_T_LIMIT);
     return scaled;

@@ -15,6 +15,7 @@ constexpr CounterInfo table[] = {
     {"restarts", "restarts at the root", "restarts", &RayCounters::restarts},
     {"backtracks", "backtracks from a leaf", "backtracks", &RayCounters::backtracks},
     {"stack_depth", "deepest stack", "entries", &RayCounters::stack_depth},
+    {"rays", "rays traced", "rays", &RayCounters::rays},
 };
 constexpr std::array<std::string_view, 5> reasons{"miss", "hit", "step cap", "stack overflow", "invalid ray"};
 
@@ -26,7 +27,8 @@ std::span<const CounterInfo> counter_table() { return table; }
 std::string_view exit_reason_name(uint reason) { return reason < reasons.size() ? reasons[reason] : "unknown"; }
 
 void CounterTotals::add(const RayCounters& c) {
-    merge({1, c.interior_first, c.interior_again, c.leaves, c.triangle_tests, c.restarts, c.backtracks, c.stack_depth});
+    merge({c.rays, c.interior_first, c.interior_again, c.leaves, c.triangle_tests, c.restarts, c.backtracks,
+           c.stack_depth});
 }
 
 void CounterTotals::merge(const CounterTotals& other) {

@@ -27,7 +27,7 @@ struct CounterInfo {
     return std::uint64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
 }
 
-/// 64-bit sums over rays; `stack_depth` is the maximum.
+/// 64-bit sums over pixels; `stack_depth` is the maximum.
 struct CounterTotals {
     std::uint64_t rays = 0, interior_first = 0, interior_again = 0, leaves = 0, triangle_tests = 0, restarts = 0,
                   backtracks = 0, stack_depth = 0;

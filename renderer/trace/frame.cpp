@@ -8,11 +8,20 @@
 
 namespace kd {
 
+namespace {
+
+RayLayer untraced(int w, int h) { return {Image<Hit>(w, h, Hit{-1, 0.0f, 0.0f, 0.0f}), Image<RayCounters>(w, h)}; }
+
+}  // namespace
+
 Frame::Frame(int w, int h) : width(w), height(h), colour(w, h, Vec4(0)) {
-    for (RayLayer& layer : layers) {
-        layer.hit = Image<Hit>(w, h, Hit{-1, 0.0f, 0.0f, 0.0f});
-        layer.counters = Image<RayCounters>(w, h);
-    }
+    for (int pass = 0; pass < pass_count; ++pass)
+        if (!of_indirect_light(Pass(pass))) layer(Pass(pass)) = untraced(w, h);
+}
+
+void Frame::hold_indirect(bool held) {
+    for (const Pass pass : {Pass::rt_indirect, Pass::shade_indirect})
+        if (held != holds(pass)) layer(pass) = held ? untraced(width, height) : RayLayer{};
 }
 
 Hit in_scene_units(const Frame& frame, Hit hit) {
@@ -22,11 +31,9 @@ Hit in_scene_units(const Frame& frame, Hit hit) {
 
 bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {
     if (pass == Pass::rt_prim) return frame.colour.pixels[pixel].w != 0;
+    if (!frame.holds(pass)) return false;
     const RayLayer& layer = frame.layer(pass);
-    const RayCounters& c = layer.counters.pixels[pixel];
-    return (c.interior_first | c.interior_again | c.leaves | c.triangle_tests | c.restarts | c.backtracks |
-            c.stack_depth | c.exit_reason) != 0 ||
-           layer.hit.pixels[pixel].triangle >= 0;
+    return layer.counters.pixels[pixel].rays != 0 || layer.hit.pixels[pixel].triangle >= 0;
 }
 
 std::vector<Tile> tiles_of(int width, int height, int size) {

@@ -27,7 +27,10 @@ struct CountingObserver {
     void on_push(int depth) { counters.stack_depth = std::max(counters.stack_depth, uint(depth)); }
     void on_restart() { ++counters.restarts; }
     void on_backtrack() { ++counters.backtracks; }
-    void on_exit(int reason) { counters.exit_reason = std::max(counters.exit_reason, uint(reason)); }
+    void on_exit(int reason) {
+        counters.exit_reason = std::max(counters.exit_reason, uint(reason));
+        ++counters.rays;
+    }
 };
 
 }  // namespace kd

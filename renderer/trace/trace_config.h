@@ -3,6 +3,7 @@
 
 #include "renderer/trace/feature.h"
 #include "renderer/trace/rules.h"
+#include "renderer/trace/sampling.h"
 #include "renderer/trace/traversal.h"
 
 namespace kd {
@@ -29,12 +30,19 @@ struct TraceConfig {
     bool shadows = true;
     int reflection_depth = 1;           // bounces; the paper's one-bounce reflection
     float least_contribution = 0.004f;  // a reflection that adds less (0..1 per channel) is not followed: 1/255
+    Sampling sampling{};
     bool counters = true;
     int step_budget = 0;  // steps after which a walk is ended and flagged; 0 = the tracer's own, which is also the most
     FeatureSet forced{};  // kept though nothing asks for them: the picture stays the same (renderer/scene/needs.h)
 
     bool operator==(const TraceConfig&) const = default;
 };
+
+/// The same for all frames of samples: what programs, tables and speed hang on.
+[[nodiscard]] inline TraceConfig at_first_sample(TraceConfig config) {
+    if (config.sampling.sample > 0) config.sampling.sample = 0;
+    return config;
+}
 
 /// Walks that climb need the link to the parent, whatever is chosen.
 [[nodiscard]] inline NodeEncoding nodes_in_force(const TraceConfig& config) {

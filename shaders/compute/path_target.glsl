@@ -7,7 +7,7 @@ void leave_path(int2 pixel, Path path)
 {
     leave_hit(pixel, path.hit);
     KD_STORE(kd_direction, pixel, vec4(path.ray.direction, 0.0));
-    KD_STORE(kd_weight, pixel, vec4(path.weight, 0.0));
+    KD_STORE(kd_weight, pixel, vec4(path.weight, float(path.leg)));
 }
 
 /// The weight of two bounces before stands there still.

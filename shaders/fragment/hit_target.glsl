@@ -5,7 +5,7 @@
 layout(location = 2) out uvec4 out_hit; // triangle, and the bits of t, u, v
 #if KD_COUNTERS
 layout(location = 0) out uvec4 out_counters_a; // interior_first, interior_again, leaves, triangle_tests
-layout(location = 1) out uvec4 out_counters_b; // restarts, backtracks, stack_depth, exit_reason
+layout(location = 1) out uvec4 out_counters_b; // restarts, backtracks, stack_depth, exit_reason and rays
 #if KD_LATER_BOUNCE
 layout(binding = 13) uniform usampler2D kd_earlier_counters_a;
 layout(binding = 14) uniform usampler2D kd_earlier_counters_b;

@@ -10,5 +10,5 @@ void leave_path(int2 pixel, Path path)
 {
     leave_hit(pixel, path.hit);
     out_direction = vec4(path.ray.direction, 0.0);
-    out_weight = vec4(path.weight, 0.0);
+    out_weight = vec4(path.weight, float(path.leg));
 }

@@ -24,4 +24,5 @@ struct FrameBlock {
     int4 entry;     // of tiles with entry points: the first pixel, pixels each way, tiles in a row
     int4 tile;      // the pixels drawn: first column and row, and those behind the last
     int4 wave;      // of rays with their state in buffers: slots, slots per pixel
+    int4 sampling;  // number of the sample, seed
 };

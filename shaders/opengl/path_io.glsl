@@ -11,10 +11,12 @@ Path primary_path(int2 pixel)
     path.ray = camera_ray(frame_camera(), pixel, frame.image.xy);
     path.hit = unpack_hit(texelFetch(kd_path_hit, pixel, 0));
     path.weight = real3(1, 1, 1);
+    path.pixel = pixel;
+    path.leg = KD_LEG_PRIMARY;
     return path;
 }
 
-/// A path after at least one bounce, from RTRefl. Its weight is zero where that pass had nothing to trace.
+/// A path after at least one bounce, from RTRefl or RTIndirect. Its weight is zero where that pass had nothing to trace.
 Path reflected_path(int2 pixel)
 {
     Path path;
@@ -24,7 +26,10 @@ Path reflected_path(int2 pixel)
     path.ray.t_max = KD_T_LIMIT;
     path.ray.source = -1;
     path.hit = unpack_hit(texelFetch(kd_path_hit, pixel, 0));
-    path.weight = texelFetch(kd_path_weight, pixel, 0).xyz;
+    vec4 weight = texelFetch(kd_path_weight, pixel, 0);
+    path.weight = weight.xyz;
+    path.pixel = pixel;
+    path.leg = int(weight.w);
     return path;
 }
 
@@ -38,8 +43,21 @@ Path path_before_bounce(int2 pixel)
 #endif
 }
 
-/// True where the path has a reflection worth tracing.
+/// True where the path has a ray worth tracing.
 bool goes_on(Path path)
 {
+#if KD_SCATTER
+    return scatters(path);
+#else
     return reflection_counts(reflected_weight(path), frame.criteria.x);
+#endif
+}
+
+Path go_on(Path path)
+{
+#if KD_SCATTER
+    return trace_indirect(path);
+#else
+    return trace_reflection(path);
+#endif
 }

@@ -1,4 +1,5 @@
 // RTRefl (paper, section 3.2.3): traces the mirror rays of paths that go on. Leaves a path of zero weight elsewhere.
+// RTIndirect does the same with scattered rays.
 
 void run_pass(int2 pixel)
 {
@@ -14,7 +15,7 @@ void run_pass(int2 pixel)
         return;
     }
     begin_counters(pixel);
-    if (has_work) next = trace_reflection(path);
+    if (has_work) next = go_on(path);
     leave_path(pixel, next);
     leave_counters(pixel);
 }

@@ -118,12 +118,16 @@ Material fetch_material(int index)
     m.reflectance = uintBitsToFloat(third.xyz);
     m.shininess = uintBitsToFloat(first.w);
     m.texture = int(second.w);
-#if KD_EMISSION
-    m.emission = uintBitsToFloat(texelFetch(kd_tables, 4 * index + 3).xyz);
-    m.emission_texture = int(third.w);
-#else
     m.emission = real3(0, 0, 0);
     m.emission_texture = -1;
+    m.roughness = 0.0;
+#if KD_EMISSION || KD_GLOSS
+    uvec4 fourth = texelFetch(kd_tables, 4 * index + 3);
+    m.roughness = uintBitsToFloat(fourth.w);
+#endif
+#if KD_EMISSION
+    m.emission = uintBitsToFloat(fourth.xyz);
+    m.emission_texture = int(third.w);
 #endif
     return m;
 }
@@ -144,6 +148,7 @@ Light fetch_light(int index)
     light.range = uintBitsToFloat(second.w);
     light.cos_inner = uintBitsToFloat(fourth.z);
     light.cos_outer = uintBitsToFloat(fourth.w);
+    light.radius = uintBitsToFloat(third.w);
     return light;
 }
 
@@ -170,5 +175,10 @@ bool scene_has_emission() { return KD_EMISSION != 0; }
 bool scene_has_directional_lights() { return KD_DIRECTIONAL_LIGHTS != 0; }
 bool scene_has_placed_lights() { return KD_PLACED_LIGHTS != 0; }
 bool scene_has_spot_lights() { return KD_SPOT_LIGHTS != 0; }
+bool scene_has_soft_shadows() { return KD_SOFT_SHADOWS != 0; }
+bool scene_has_gloss() { return KD_GLOSS != 0; }
+bool scene_has_indirect() { return KD_INDIRECT != 0; }
+int sample_number() { return frame.sampling.x; }
+uint sample_seed() { return uint(frame.sampling.y); }
 real3 scene_ambient() { return scene.ambient.xyz; }
 real3 scene_background() { return scene.background.xyz; }

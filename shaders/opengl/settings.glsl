@@ -39,6 +39,15 @@
 #ifndef KD_EMISSION
 #define KD_EMISSION 1
 #endif
+#ifndef KD_SOFT_SHADOWS
+#define KD_SOFT_SHADOWS 1
+#endif
+#ifndef KD_GLOSS
+#define KD_GLOSS 1
+#endif
+#ifndef KD_INDIRECT
+#define KD_INDIRECT 1
+#endif
 #ifndef KD_DIRECTIONAL_LIGHTS
 #define KD_DIRECTIONAL_LIGHTS 1
 #endif
@@ -91,6 +100,11 @@
 // 0: the ray comes from the camera or is the first reflection; 1: it continues a path that a bounce has left.
 #ifndef KD_LATER_BOUNCE
 #define KD_LATER_BOUNCE 0
+#endif
+
+// 1: rt_refl and shade_refl do RTIndirect and ShadeIndirect: rays scatter from primary hits rather than mirror.
+#ifndef KD_SCATTER
+#define KD_SCATTER 0
 #endif
 
 // Depth of the quad, 0 near to 1 far.

@@ -1,10 +1,11 @@
-// ShadeRefl (paper, section 3.2.3): light along the mirror rays, added to the picture.
+// ShadeRefl (paper, section 3.2.3): light along the mirror rays, added to the picture. ShadeIndirect:
+// along scattered ones.
 
 void run_pass(int2 pixel)
 {
     Path path = reflected_path(pixel);
     // Where depth culls, it has culled the other pixels already.
-    bool has_work = max_component(path.weight) > 0.0;
+    bool has_work = path_counts(path);
     count_shaded(has_work);
     if (keeps_what_is_cleared && !has_work) return;
     begin_counters(pixel);

@@ -19,6 +19,10 @@ KD_CONST(int) KD_VISIT_NEAR = 0;
 KD_CONST(int) KD_VISIT_FAR = 1;
 KD_CONST(int) KD_VISIT_BOTH = 2;
 
+// Legs of a path that are not numbers of reflections.
+KD_CONST(int) KD_LEG_PRIMARY = 0;
+KD_CONST(int) KD_LEG_INDIRECT = -1;
+
 KD_CONST(int) KD_LIGHT_POINT = 0;
 KD_CONST(int) KD_LIGHT_DIRECTIONAL = 1;
 KD_CONST(int) KD_LIGHT_SPOT = 2;

@@ -1,4 +1,4 @@
-// What one ray did. CPU and GL must agree on every number exactly.
+// What one ray did, or several. CPU and GL must agree on every number exactly.
 
 /// An interior visit is a re-visit (`interior_again`) when this ray has been at that node before.
 struct RayCounters {
@@ -10,4 +10,5 @@ struct RayCounters {
     uint backtracks;
     uint stack_depth;
     uint exit_reason;
+    uint rays;
 };

@@ -11,7 +11,8 @@
 //           int triangle_count()   int light_count()        int step_budget()
 // Settings: bool scene_has_normals()   bool scene_has_textures()   bool shadows_enabled()   bool scene_has_highlights()
 //           bool scene_has_emission()  bool scene_has_directional_lights()   bool scene_has_placed_lights()
-//           bool scene_has_spot_lights()
+//           bool scene_has_spot_lights()   bool scene_has_soft_shadows()   bool scene_has_gloss()   bool scene_has_indirect()
+//           int sample_number()        uint sample_seed()
 //           real3 scene_ambient()      real3 scene_background()
 // Observer: void on_interior(int node, bool again)  on_leaf(int node)  on_triangle(int slot)  on_push(int depth)
 //           on_restart()  on_backtrack()  on_exit(int reason)
@@ -30,5 +31,8 @@
 #include "traverse.glsl"
 #include "camera.glsl"
 #include "surface.glsl"
+#include "samples.glsl"
+#include "path.glsl"
 #include "lighting.glsl"
+#include "scatter.glsl"
 #include "passes.glsl"

@@ -1,6 +1,12 @@
 // The lighting equation of the fixed-function pipelines that the paper names (its section 3.2.2): ambient, Lambert
 // diffuse, Blinn-Phong specular, emission; point, directional and spot lights; shadows by one ray per light.
 
+/// A point of a disc of `radius` about the end of `towards`, at right angles to the unit vector `axis`.
+KD_FN real3 off_centre(real3 towards, real3 axis, real2 disc, real radius)
+{
+    return towards + scale3(around(axis, real3(disc.x, disc.y, 0)), radius);
+}
+
 /// Where a light lies as seen from a point: unit direction towards it, distance, and colour reaching the point unshadowed.
 struct LightSample {
     real3 direction;
@@ -8,17 +14,22 @@ struct LightSample {
     real3 colour;
 };
 
-KD_FN LightSample sample_light(IN(Light) light, real3 position)
+/// Towards the light's middle, or where lights are sampled to a point of its disc, the one that `key` stands for.
+KD_FN LightSample sample_light(IN(Light) light, real3 position, uint key)
 {
     LightSample s;
+    bool soft = scene_has_soft_shadows() && light.radius > real(0);
+    real2 disc = soft ? disc_of(sample_square(key)) : real2(0, 0);
     // What the scene has not is not asked for.
     if (scene_has_directional_lights() && (light.kind == KD_LIGHT_DIRECTIONAL || !scene_has_placed_lights())) {
         s.direction = -light.direction;
+        if (soft) s.direction = normalise3(off_centre(s.direction, s.direction, disc, light.radius));
         s.distance = KD_T_LIMIT;
         s.colour = light.colour;
         return s;
     }
     real3 towards = light.position - position;
+    if (soft) towards = off_centre(towards, normalise3(towards), disc, light.radius);
     PRECISE real squared = dot3(towards, towards);
     s.distance = square_root(squared);
     s.direction = normalise3(towards);
@@ -61,22 +72,24 @@ KD_FN real3 reflected_light(IN(Surface) s, IN(LightSample) light, real3 to_viewe
     return light.colour * reflected;
 }
 
-/// What `s` sends without any light: what is scattered of the light that is everywhere, and what it emits.
-KD_FN real3 own_light(IN(Surface) s)
+/// What `s` sends without any light: what is scattered of the light that is everywhere, and what it emits. Where indirect
+/// light is sampled, that stands for the light that is everywhere.
+KD_FN real3 own_light(IN(Surface) s, int leg)
 {
-    real3 scattered = s.material.diffuse * scene_ambient();
+    bool sampled = scene_has_indirect() && leg == KD_LEG_PRIMARY;
+    real3 scattered = sampled ? real3(0, 0, 0) : s.material.diffuse * scene_ambient();
     return scene_has_emission() ? scattered + s.material.emission : scattered;
 }
 
-/// Light that `s` sends along -ray.direction. Traces one shadow ray for each light that faces the surface;
+/// Light that `s`, at the end of a path, sends back along it. Traces one shadow ray for each light that faces the surface;
 /// `first_blocked` receives the first one's hit that found an occluder.
-KD_FN real3 light_surface(IN(Ray) ray, IN(Surface) s, INOUT(Hit) first_blocked)
+KD_FN real3 light_surface(IN(Path) path, IN(Surface) s, INOUT(Hit) first_blocked)
 {
-    real3 total = own_light(s);
-    real3 to_viewer = -normalise3(ray.direction);
+    real3 total = own_light(s, path.leg);
+    real3 to_viewer = -normalise3(path.ray.direction);
     int count = light_count();
     for (int i = 0; i < count; ++i) {
-        LightSample light = sample_light(fetch_light(i), s.position);
+        LightSample light = sample_light(fetch_light(i), s.position, light_key(path, i));
         bool lit = faces_light(s, light);
         if (lit && shadows_enabled()) {
             Ray shadow = shadow_ray(s, light);

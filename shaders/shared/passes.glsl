@@ -1,11 +1,5 @@
-// The paper's four passes (its section 3.2) for one pixel: RTPrim, ShadePrim, and RTRefl, ShadeRefl once per bounce.
-
-/// A path after some bounces: the ray last traced, its hit, and how much of what it finds reaches the pixel.
-struct Path {
-    Ray ray;
-    Hit hit;
-    real3 weight;
-};
+// The passes for one pixel: the paper's four (its section 3.2), RTPrim, ShadePrim, and RTRefl, ShadeRefl once per bounce;
+// and RTIndirect, ShadeIndirect where indirect light is sampled.
 
 /// RTPrim: trace the primary ray of a pixel.
 KD_FN Path trace_primary(IN(PinholeCamera) camera, int2 pixel, int2 size)
@@ -14,18 +8,26 @@ KD_FN Path trace_primary(IN(PinholeCamera) camera, int2 pixel, int2 size)
     path.ray = camera_ray(camera, pixel, size);
     path.hit = no_hit(path.ray);
     path.weight = real3(1, 1, 1);
+    path.pixel = pixel;
+    path.leg = KD_LEG_PRIMARY;
     traverse(path.ray, false, path.hit);
     return path;
 }
 
-/// ShadePrim and ShadeRefl: light that this path adds to the pixel; `first_blocked` as in light_surface.
+/// The shading passes: light that this path adds to the pixel; `first_blocked` as in light_surface.
 KD_FN real3 shade_path(IN(Path) path, INOUT(Hit) first_blocked)
 {
     if (path.hit.triangle < 0) return path.weight * scene_background();
-    return path.weight * light_surface(path.ray, surface_at(path.ray, path.hit), first_blocked);
+    return path.weight * light_surface(path, surface_at(path.ray, path.hit), first_blocked);
 }
 
-/// How much a mirror ray from this hit would count, zero where the surface reflects nothing or nothing was hit.
+/// Whether anything that the path finds can reach the pixel.
+KD_FN bool path_counts(IN(Path) path)
+{
+    return max_component(path.weight) > real(0);
+}
+
+/// How much a reflection at this hit would count, zero where the surface reflects nothing or nothing was hit.
 KD_FN real3 reflected_weight(IN(Path) path)
 {
     if (path.hit.triangle < 0) return real3(0, 0, 0);
@@ -39,25 +41,49 @@ KD_FN bool reflection_counts(real3 weight, real least_contribution)
     return largest > real(0) && largest >= least_contribution;
 }
 
-/// The ray that the surface at a path's hit mirrors its ray into.
-KD_FN Ray mirror_ray(IN(Path) path)
+/// RTRefl before its ray is traced: the next leg of a path whose reflection counts.
+KD_FN Path reflected_leg(IN(Path) path)
 {
-    Surface s = surface_at(path.ray, path.hit);
-    real3 d = normalise3(path.ray.direction);
-    real3 mirrored = add_scaled3(d, s.shading, real(-2) * dot3(d, s.shading));
-    // An interpolated normal can send the ray below the surface; lift it back to the tangent plane.
-    real below = dot3(mirrored, s.geometric);
-    if (below < real(0)) mirrored = add_scaled3(mirrored, s.geometric, real(-1.001) * below);
-    return leave_surface(s, normalise3(mirrored), KD_T_LIMIT);
-}
-
-/// RTRefl: trace the mirror ray of a path whose reflection counts.
-KD_FN Path trace_reflection(IN(Path) path)
-{
-    Path next;
-    next.ray = mirror_ray(path);
+    Onward on = reflect_path(path);
+    Path next = path;
+    next.ray = on.ray;
     next.hit = no_hit(next.ray);
     next.weight = reflected_weight(path);
+    // A share of 1 is none.
+    if (on.share != real(1)) next.weight = scale3(next.weight, on.share);
+    next.leg = path.leg + 1;
+    return next;
+}
+
+KD_FN Path trace_reflection(IN(Path) path)
+{
+    Path next = reflected_leg(path);
+    traverse(next.ray, false, next.hit);
+    return next;
+}
+
+/// Whether the surface at a primary ray's hit scatters light, its image aside.
+KD_FN bool scatters(IN(Path) path)
+{
+    if (path.hit.triangle < 0) return false;
+    return max_component(fetch_material(fetch_material_index(path.hit.triangle)).diffuse) > real(0);
+}
+
+/// RTIndirect before its ray is traced: the leg that light takes to a primary ray's hit from another surface.
+KD_FN Path indirect_leg(IN(Path) path)
+{
+    Surface s = surface_at(path.ray, path.hit);
+    Path next = path;
+    next.leg = KD_LEG_INDIRECT;
+    next.ray = scattered_ray(s, path_key(next));
+    next.hit = no_hit(next.ray);
+    next.weight = path.weight * s.material.diffuse;
+    return next;
+}
+
+KD_FN Path trace_indirect(IN(Path) path)
+{
+    Path next = indirect_leg(path);
     traverse(next.ray, false, next.hit);
     return next;
 }

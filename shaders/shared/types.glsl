@@ -39,7 +39,8 @@ struct PinholeCamera {
 };
 
 /// Phong-type surface in display-referred colour, 0..1 per channel; `emission`, what it sends by itself, may be brighter.
-/// `texture` tints what it scatters, `emission_texture` what it emits; -1 for none.
+/// `texture` tints what it scatters, `emission_texture` what it emits; -1 for none. `roughness`, 0..1, is that of what it
+/// reflects: 0 mirrors; squared it is the alpha of Trowbridge & Reitz's distribution of facets, as glTF has it.
 struct Material {
     real3 diffuse;
     real3 specular;
@@ -48,9 +49,11 @@ struct Material {
     real shininess;
     int texture;
     int emission_texture;
+    real roughness;
 };
 
-/// A light; intensity falls with 1 / (attenuation.x + attenuation.y * distance^2). Spot cosines are of half angles.
+/// A light; intensity falls with 1 / (attenuation.x + attenuation.y * distance^2). Spot cosines are of half angles. Sampled,
+/// it is a disc of `radius` that faces the point lit; of a directional light that is the tangent of its half angle.
 struct Light {
     int kind;
     real3 position;
@@ -60,4 +63,5 @@ struct Light {
     real range;
     real cos_inner;
     real cos_outer;
+    real radius;
 };

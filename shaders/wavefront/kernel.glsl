@@ -18,6 +18,7 @@ void traverse(IN(Ray) ray, bool any_hit, INOUT(Hit) hit)
 #else
     RayCounters counted;
     keep_found(slot, hit, counted, false);
+    counted.rays = 1u;
 #if KD_COUNTERS
     add_counters(counted);
 #endif
@@ -26,5 +27,8 @@ void traverse(IN(Ray) ray, bool any_hit, INOUT(Hit) hit)
 
 #include "shared/camera.glsl"
 #include "shared/surface.glsl"
+#include "shared/samples.glsl"
+#include "shared/path.glsl"
 #include "shared/lighting.glsl"
+#include "shared/scatter.glsl"
 #include "shared/passes.glsl"

@@ -10,7 +10,10 @@ namespace kd::test {
 /// does not compile here until it has its place in a list.
 inline Session unlike_the_default() {
     Session session;
-    auto& [scene, seed, time, build, trace, tracer, early_z, camera, view, width, height, threads] = session;
+    auto& [scene, seed, time, build, trace, tracer, early_z, camera, view, width, height, threads, samples,
+           sample_error] = session;
+    samples = 1 << 20;
+    sample_error = 0.01f;
     scene = "rooms";
     seed = 4294967295u;
     time = -0.1;
@@ -31,7 +34,11 @@ inline Session unlike_the_default() {
     trim_leaves = false;
     by_hand = {{"", 2, -0.1f}, {"ba", 0, 3e38f}};
     auto& [traversal, rules, leaf_lists, nodes, short_stack, ropes, eye_leaf, entry_tile, packet_size, shadows, bounces,
-           contribution, counters, step_budget, forced] = trace;
+           contribution, sampling, counters, step_budget, forced] = trace;
+    auto& [sample, sample_seed, soft_shadows, gloss, indirect] = sampling;
+    soft_shadows = gloss = indirect = false;
+    (void)sample;       // the number of a frame
+    (void)sample_seed;  // the session's
     traversal = Traversal::short_stack;
     rules = Rules::as_published;
     leaf_lists = LeafLists::duplicated;

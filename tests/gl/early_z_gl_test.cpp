@@ -100,7 +100,7 @@ TEST_P(EarlyZGl, CountingChangesNoPicture) {
     const Frame counted = tracer->read_frame(config.trace);
     config.count_shaded = false;
     const GlFrameReport report = draw();
-    EXPECT_EQ(report.shaded_pixels, (std::array<std::int64_t, pass_count>{-1, -1, -1, -1}));
+    EXPECT_EQ(report.shaded_pixels, for_each_pass<std::int64_t>(-1));
     EXPECT_EQ(tracer->read_frame(config.trace).colour, counted.colour);
 }
 

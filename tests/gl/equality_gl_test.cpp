@@ -94,6 +94,7 @@ Difference compare_frames(const Frame& a, const Frame& b, float tolerance) {
     Difference difference;
     for (std::size_t i = 0; i < a.colour.pixels.size(); ++i) {
         for (std::size_t pass = 0; pass < pass_count; ++pass) {
+            if (!a.holds(Pass(pass)) && !b.holds(Pass(pass))) continue;
             const Hit& p = a.layers[pass].hit.pixels[i];
             const Hit& q = b.layers[pass].hit.pixels[i];
             difference.hits[pass] += !bit_equal(p, q);
@@ -196,6 +197,16 @@ TEST_P(EqualityOfPassesGl, LargeLeavesOfGlowingSurfacesWithoutShadows) {
         material.emission_texture = int(scene.textures.size()) - 1;
     }
     compare(scene, {.leaf_size = 16});
+}
+
+TEST_P(EqualityOfPassesGl, SampledLight) {
+    const FlatScene scene = test::soft_scene(200, 7);
+    config.trace.sampling = {.sample = 3, .seed = 5};
+    for (const int bounces : {0, 1, 3}) {
+        SCOPED_TRACE(testing::Message() << bounces << " bounces");
+        config.trace.reflection_depth = bounces;
+        compare(scene, {});
+    }
 }
 
 TEST_P(EqualityOfWalksGl, AxisAlignedCity) {

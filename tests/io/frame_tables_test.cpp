@@ -21,7 +21,7 @@ Frame small_frame() {
     Frame frame(3, 2);
     RayLayer& primary = frame.layer(Pass::rt_prim);
     primary.hit.at(1, 0) = {7, 0.1f, 0.25f, 1.0f / 3.0f};
-    primary.counters.at(1, 0) = {1, 2, 3, 4, 5, 6, 8, KD_EXIT_HIT};
+    primary.counters.at(1, 0) = {1, 2, 3, 4, 5, 6, 8, KD_EXIT_HIT, 9};
     primary.hit.at(0, 1).t = KD_T_LIMIT;
     primary.counters.at(2, 1).exit_reason = KD_EXIT_STEP_CAP;
     for (Vec4& colour : frame.colour.pixels) colour.w = 1;  // traced

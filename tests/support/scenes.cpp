@@ -29,8 +29,8 @@ FlatScene mirror_scene(int soup_triangles, unsigned seed) {
 
     FlatScene scene = scene_of(std::move(triangles));
     scene.materials = {glossy(Vec3(0.7f), 0.2f, 20.0f)};
-    scene.materials.push_back({Vec3(0.3f, 0.3f, 0.35f), Vec3(0.1f), Vec3(0.5f, 0.4f, 0.3f), Vec3(0.0f), 50.0f, -1, -1});
-    scene.materials.push_back({Vec3(0.2f, 0.5f, 0.3f), Vec3(0.4f), Vec3(0.3f), Vec3(0.0f), 80.0f, 0, -1});
+    scene.materials.push_back({Vec3(0.3f, 0.3f, 0.35f), Vec3(0.1f), Vec3(0.5f, 0.4f, 0.3f), Vec3(0.0f), 50.0f, -1, -1, 0.0f});
+    scene.materials.push_back({Vec3(0.2f, 0.5f, 0.3f), Vec3(0.4f), Vec3(0.3f), Vec3(0.0f), 80.0f, 0, -1, 0.0f});
     Image<Rgba8> checker(5, 3);
     for (std::size_t i = 0; i < checker.pixels.size(); ++i)
         checker.pixels[i] = {static_cast<unsigned char>(40 * i % 256), static_cast<unsigned char>(255 - 13 * i), 128,
@@ -48,8 +48,18 @@ FlatScene mirror_scene(int soup_triangles, unsigned seed) {
     scene.has_normals = true;
     scene.lights = {point_light(Vec3(2, 5, 3), Vec3(0.8f))};
     scene.lights.push_back({KD_LIGHT_SPOT, Vec3(-1, 3, 0), glm::normalize(Vec3(1, -2, 0.4f)), Vec3(3.0f),
-                            Vec2(0.5f, 0.2f), 20.0f, 0.95f, 0.6f});
+                            Vec2(0.5f, 0.2f), 20.0f, 0.95f, 0.6f, 0.0f});
     scene.camera = {Vec3(0.4f, 1.2f, 3.0f), Vec3(0.5f, 0.3f, 0.5f), Vec3(0, 1, 0), 40.0f};
+    return scene;
+}
+
+FlatScene soft_scene(int n, unsigned seed) {
+    FlatScene scene = mirror_scene(n, seed);
+    scene.lights.push_back(scene.lights.front());
+    scene.lights.back().kind = KD_LIGHT_DIRECTIONAL;
+    scene.lights.back().direction = glm::normalize(Vec3(0.3f, -1.0f, -0.2f));
+    for (Light& light : scene.lights) light.radius = light.kind == KD_LIGHT_DIRECTIONAL ? 0.1f : 0.3f;
+    for (Material& material : scene.materials) material.roughness = 0.4f;
     return scene;
 }
 

@@ -28,6 +28,8 @@ using kd::voxel_city;
 
 /// Soup, mirror floor, smooth-normal sphere and two lights: every pass and ray type has work.
 [[nodiscard]] FlatScene mirror_scene(int soup_triangles, unsigned seed);
+/// The same with lights of every kind that have a radius, and rough mirrors: all that can be sampled.
+[[nodiscard]] FlatScene soft_scene(int n, unsigned seed);
 
 /// Rays towards vertices, edges and interiors, axis-parallel with both zeros, inside coordinate planes, from vertices.
 [[nodiscard]] std::vector<Ray> unkind_rays(const std::vector<Triangle>& triangles, int n, unsigned seed);
