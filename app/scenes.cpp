@@ -69,16 +69,32 @@ FlatScene load_scene(const std::string& name, unsigned seed, double time) {
     return open_moving_scene(name, seed).at(time);
 }
 
-MovingScene open_moving_scene(const std::string& name, unsigned seed) {
-    if (std::optional<Scene> made = make_procedural(name, seed)) return MovingScene(std::move(*made));
-    if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return MovingScene(std::move(*made));
+namespace {
+
+/// The .gltf or .glb file that a name stands for.
+fs::path gltf_of(const std::string& name) {
     const fs::path file = scene_file(name);
     if (std::error_code ignored; fs::is_directory(file, ignored))
         throw InputError(fmt::format("scene '{}': is a folder; name a .gltf or .glb file in it", printable(name)));
     if (!names_gltf(file))
         throw InputError(
             fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));
-    return shown_file(file);
+    return file;
+}
+
+}  // namespace
+
+void check_scene(const std::string& name) {
+    if (const ProceduralScene* entry = find_procedural(name))
+        (void)size_of(*entry, name);
+    else if (!make_stress_scene(name, 1))  // small
+        (void)gltf_of(name);
+}
+
+MovingScene open_moving_scene(const std::string& name, unsigned seed) {
+    if (std::optional<Scene> made = make_procedural(name, seed)) return MovingScene(std::move(*made));
+    if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return MovingScene(std::move(*made));
+    return shown_file(gltf_of(name));
 }
 
 std::vector<std::string> scenes_like(const std::string& name) {

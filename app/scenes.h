@@ -12,6 +12,10 @@ namespace kd {
 /// "ball:N, icoball:N, ..., lantern.gltf": what load_scene() takes beside the names of files.
 [[nodiscard]] std::string known_scenes();
 
+/// InputError where open_moving_scene() would not even begin with it: for lists of scenes, before any work. What is
+/// wrong within a file shows when it is opened.
+void check_scene(const std::string& name);
+
 /// A procedural scene ("ball:9000"), one of the stability suite ("stress:T14"), a .gltf or .glb file, or the name of a
 /// scene that comes with the program. InputError naming the known scenes.
 [[nodiscard]] MovingScene open_moving_scene(const std::string& name, unsigned seed);

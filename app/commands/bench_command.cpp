@@ -18,6 +18,7 @@
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
@@ -200,6 +201,7 @@ int run_dynamic(const CLI::App& app, const BenchOptions& options, CommandContext
 }
 
 int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
+    for (const std::string& name : options.scenes) check_scene(options.session_for(name).scene);
     if (options.dynamic) return run_dynamic(app, options, context);
     const std::string still = "only a moving scene is timed so; add --dynamic";
     for (const char* option : {"--frames", "--step", "--schedule", "--rebuild", "--build-threads", "--svg"})

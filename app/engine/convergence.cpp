@@ -8,6 +8,7 @@
 #include "app/choices.h"
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
+#include "app/tracer_choices.h"
 #include "renderer/trace/walk_choices.h"
 
 namespace kd {
@@ -49,7 +50,7 @@ double steps_per_pixel(const Frame& frame) {
 }
 
 std::string how_text(const Session& s) {
-    std::string text = fmt::format("{}, {}", info(s.trace.traversal).name, name_of(s.tracer));
+    std::string text = fmt::format("{}, {}", info(s.trace.traversal).name, tracer_text(s.tracer, s.trace));
     if (const Rules rules = rules_in_force(s.trace); rules != Rules::robust)
         text += fmt::format(", {}", info(rules).name);
     return text;

@@ -181,7 +181,9 @@ bool Engine::poll() {
     start_widths();
     start_visits();
     start_cell();
-    tree_view_.follow(tree_wish_, state_.world, state_.visits.world == state_.world ? state_.visits.visits : nullptr);
+    if (!state_.motion.playing || !state_.tree_view.active)  // else no view would ever be finished
+        tree_view_.follow(tree_wish_, state_.world,
+                          state_.visits.world == state_.world ? state_.visits.visits : nullptr);
     if (state_.world) planes_.turn_to(configuration_shown(), state_.world->loaded);
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();

@@ -35,6 +35,7 @@ class FieldWriter {
         json[key] = name_among(choices, value);
     }
     void node_bytes(const char* key, NodeEncoding value) { json[key] = bytes_of(value); }
+    void packet_rays(const char* key, int value) { json[key] = value; }
     void set(const char* key, FeatureSet value, const std::vector<NamedValue<Feature>>& choices) {
         json[key] = Json::array();
         for (const auto& [name, feature] : choices)

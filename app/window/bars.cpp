@@ -9,6 +9,7 @@
 #include "app/choices.h"
 #include "app/panels/panel.h"
 #include "app/report/machine_info.h"
+#include "app/tracer_choices.h"
 #include "app/window/places.h"
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
@@ -113,8 +114,8 @@ void draw_badge(const EngineState& state, Edit& edit) {
     const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
     const TracerKind tracer = state.session.tracer;
     const bool usual = tracer == TracerKind::cpu || tracer == TracerKind::gl_fragment;
-    std::string what = fmt::format("{}{} · {}", machine, usual ? "" : fmt::format(" · {}", name_of(tracer)),
-                                   info(trace.traversal).name);
+    std::string what =
+        fmt::format("{}{} · {}", machine, usual ? "" : " · " + tracer_text(tracer, trace), info(trace.traversal).name);
     if (const Rules rules = rules_in_force(trace); rules != Rules::robust)
         what += fmt::format(" · {}", info(rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;

@@ -11,6 +11,7 @@
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 #include "renderer/io/tables.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -31,6 +32,7 @@ FigureFacts facts_of(const EngineState& state) {
             .duration = traced.world->scene().duration,
             .triangles = traced.world->scene().triangles.size(),
             .build = traced.world->built_with,
+            .refitted = traced.world->refitted,
             .trace = traced.config,
             .early_z = state.session.early_z,
             .camera = in_scene_units(state.session, traced.world->scene()).camera,
@@ -114,9 +116,9 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
     const fs::path path = next_file(folder, what == Action::export_csv    ? ".csv"
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
-    if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
-    if (what == Action::export_json)
-        write_file(path, json_text(summary_json(state, machine_of(state))));
+    if (what == Action::export_csv)
+        write_file(path, csv_comments(machine_of(state).lines()) + frame_csv(*traced.frame, progress));
+    if (what == Action::export_json) write_file(path, json_text(summary_json(state, machine_of(state))));
     if (table) return path;
     const bool bare = what == Action::export_picture;
     if (!bare && !is_complete_for(traced, state.picture->view, true))

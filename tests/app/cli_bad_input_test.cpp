@@ -82,6 +82,18 @@ TEST(C05, Depths) {
                     {{"--overlay-depth", "1000"}, {"--overlay-depth", "'1000'"}}});
 }
 
+TEST(CliBench, ListsOfScenesAreCheckedBeforeAnyWork) {
+    for (const char* bad : {"no-such-scene.gltf", "ball:many", "cornell:3", "stress:T999", "/"})
+        for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--peers"}, {"--dynamic"}}) {
+            std::vector<std::string> words{"bench", "sheet:200", bad, "--size", "8x8", "--rounds", "1"};
+            words.insert(words.end(), how.begin(), how.end());
+            const auto outcome = run_kdscope(words);
+            EXPECT_EQ(outcome.code, 2) << bad;
+            EXPECT_EQ(outcome.out, "") << bad;
+            EXPECT_NE(outcome.err.find(bad), std::string::npos) << outcome.err;
+        }
+}
+
 TEST(CliNumbers, OutOfRangeOrNone) {
     expect_refused({{{"--threads", "-1"}, {"--threads", "'-1'", "whole number"}},
                     {{"--threads", "2.5"}, {"--threads", "'2.5'", "whole number"}},
