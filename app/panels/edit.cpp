@@ -104,6 +104,7 @@ void show_unfinished(const EngineState& state, Edit& edit) {
 
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
+    edit.session.time = 0;  // of another motion
     edit.session.camera.reset();
     edit.session.build.by_hand.clear();  // of the tree before
     edit.window.planes_before.clear();

@@ -325,6 +325,8 @@ void WindowLoop::paste_camera() {
 
 /// Once it is read nothing more is to be done about what was typed; of its scene a message tells.
 void WindowLoop::open_session() {
+    edit_.window.motion.playing = false;  // it is of one time
+    engine_->play(edit_.window.motion);
     engine_->open_session(edit_.session_file);
     const EngineState& state = engine_->state();
     lively_frames_ = frames_after_input;

@@ -44,6 +44,13 @@ TEST(MotionEdit, NothingIsPlayedThatDoesNotMove) {
     EXPECT_FALSE(edit.window.motion.playing);
 }
 
+TEST(MotionEdit, AnotherSceneBeginsAtItsBeginning) {
+    Edit edit;
+    edit.session.time = 1.5;
+    edits::choose_scene(edit, "ball:300");
+    EXPECT_EQ(edit.session.time, 0);
+}
+
 TEST(MotionEdit, SpaceAgainStopsAndTheEndDoesToo) {
     EngineState state = state_of(4);
     Edit edit;
