@@ -321,6 +321,10 @@ void take_lengths(const CommonOptions& options, Session& session, const FlatScen
 
 }  // namespace
 
+void check_scene_names(const CommonOptions& options) {
+    for (const std::string& name : options.scenes) check_scene(options.session_for(name).scene);
+}
+
 MovingScene open_motion(const CommonOptions& options, Session& session) {
     MovingScene moving = loaded_scene(options, session);
     take_lengths(options, session, moving.at_rest());

@@ -96,6 +96,9 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
 /// for.
 [[nodiscard]] MovingScene open_motion(const CommonOptions& options, Session& session);
 
+/// Looks whether every scene named can be had, as far as that takes no work. InputError.
+void check_scene_names(const CommonOptions& options);
+
 /// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.
 /// `uses_all` where a command runs every tracer unless one is named. ContextError.
 void require_context(const CommonOptions& options, bool uses_all);

@@ -18,7 +18,6 @@
 #include "app/report/bench_report.h"
 #include "app/report/json_values.h"
 #include "app/report/machine_info.h"
-#include "app/scenes.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/measure/timing.h"
@@ -176,6 +175,7 @@ int run_peers(const CLI::App& app, const BenchOptions& options, CommandContext& 
     check_peers(options);
     refuse_idle(app, {{"--naive", false, "--peers walks by the stack alone; leave one of them out"}});
     note_idle_beside_peers(app, options, context);
+    check_scene_names(options);
     const int threads = app.count("--threads") > 0 ? options.session.threads : 1;
     const PeerBenchOptions how{
         {.warmup = options.warmup, .rounds = options.rounds}, threads > 0 ? threads : default_threads(), options.json};
@@ -201,7 +201,6 @@ int run_dynamic(const CLI::App& app, const BenchOptions& options, CommandContext
 }
 
 int run(const CLI::App& app, const BenchOptions& options, CommandContext& context) {
-    for (const std::string& name : options.scenes) check_scene(options.session_for(name).scene);
     if (options.dynamic) return run_dynamic(app, options, context);
     const std::string still = "only a moving scene is timed so; add --dynamic";
     for (const char* option : {"--frames", "--step", "--schedule", "--rebuild", "--build-threads", "--svg"})
@@ -210,6 +209,7 @@ int run(const CLI::App& app, const BenchOptions& options, CommandContext& contex
     refuse_idle(app,
                 {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
     require_context(options, true);
+    check_scene_names(options);
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         note_idle(app, shared_uses(options, options.session_for(name), true), context);

@@ -129,6 +129,7 @@ int bench_dynamic(const CLI::App& app, const CommonOptions& options, const Dynam
         throw InputError("--svg: one chart is of one scene; give one scene, or leave --svg out");
     if (!how.svg.empty()) check_outputs({{"--svg", how.svg, ".svg"}}, {});
     require_context(options, false);
+    check_scene_names(options);
     Json json = Json::array();
     bool repeats = true;
     for (const std::string& name : options.scenes) {
