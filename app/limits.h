@@ -19,6 +19,9 @@ struct Limits {
     [[nodiscard]] constexpr bool hold(T value) const { return value >= low && value <= high; }
     /// "a whole number from 1 to 8".
     [[nodiscard]] std::string text() const {
+        if constexpr (std::same_as<T, double>)
+            if (low == std::numeric_limits<T>::lowest() && high == std::numeric_limits<T>::max())
+                return "a finite number";
         return fmt::format("a {} from {} to {}", std::integral<T> ? "whole number" : "number", low, high);
     }
 };
@@ -44,6 +47,8 @@ inline constexpr Limits<int> bins{fewest_bins, most_bins};
 
 inline constexpr Limits<int> tile_side{1, 1024};
 inline constexpr Limits<float> any_number{std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()};
+/// Seconds in a motion, which repeats.
+inline constexpr Limits<double> time{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 inline constexpr Limits<float> fov{0, 179.9f};  // degrees; 0 is none either
 
 }  // namespace limits

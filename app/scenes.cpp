@@ -32,9 +32,10 @@ fs::path scene_file(const std::string& name) {
 }
 
 /// A scene from a file, of which something can be seen: an empty one is a mistake, though trees and tracers take it.
-FlatScene shown_file(const fs::path& file) {
-    FlatScene flat = flatten(load_gltf(file));
-    if (!flat.triangles.empty()) return flat;
+MovingScene shown_file(const fs::path& file) {
+    MovingScene scene(load_gltf(file));
+    const FlatScene& flat = scene.at_rest();
+    if (!flat.triangles.empty()) return scene;
     std::string reasons;
     for (const std::string& note : flat.notes)
         if (note.starts_with("dropped") || note.starts_with("skipped"))
@@ -54,21 +55,46 @@ std::string known_scenes() {
 }
 
 std::string contents_text(const FlatScene& scene) {
-    return fmt::format("{}, {}, {}, {}", counted(scene.triangles.size(), "triangle"),
+    return fmt::format("{}, {}, {}, {}{}", counted(scene.triangles.size(), "triangle"),
                        counted(scene.materials.size(), "material"), counted(scene.textures.size(), "texture"),
-                       counted(scene.lights.size(), "light"));
+                       counted(scene.lights.size(), "light"),
+                       scene.duration > 0.0 ? fmt::format(", a motion of {} s", scene.duration) : "");
 }
 
-FlatScene load_scene(const std::string& name, unsigned seed) {
-    if (const std::optional<Scene> made = make_procedural(name, seed)) return flatten(*made);
-    if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return std::move(*made);
+std::string scene_text(const std::string& name, double time, double duration) {
+    return time > 0.0 ? fmt::format("{} at {} s of {} s", name, time, duration) : name;
+}
+
+FlatScene load_scene(const std::string& name, unsigned seed, double time) {
+    return open_moving_scene(name, seed).at(time);
+}
+
+namespace {
+
+/// The .gltf or .glb file that a name stands for.
+fs::path gltf_of(const std::string& name) {
     const fs::path file = scene_file(name);
     if (std::error_code ignored; fs::is_directory(file, ignored))
         throw InputError(fmt::format("scene '{}': is a folder; name a .gltf or .glb file in it", printable(name)));
     if (!names_gltf(file))
         throw InputError(
             fmt::format("scene '{}': not a .gltf or .glb file; export the scene as glTF 2.0", printable(name)));
-    return shown_file(file);
+    return file;
+}
+
+}  // namespace
+
+void check_scene(const std::string& name) {
+    if (const ProceduralScene* entry = find_procedural(name))
+        (void)size_of(*entry, name);
+    else if (!make_stress_scene(name, 1))  // small
+        (void)gltf_of(name);
+}
+
+MovingScene open_moving_scene(const std::string& name, unsigned seed) {
+    if (std::optional<Scene> made = make_procedural(name, seed)) return MovingScene(std::move(*made));
+    if (std::optional<FlatScene> made = make_stress_scene(name, seed)) return MovingScene(std::move(*made));
+    return shown_file(gltf_of(name));
 }
 
 std::vector<std::string> scenes_like(const std::string& name) {

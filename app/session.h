@@ -24,6 +24,7 @@ enum class TracerKind { cpu, cpu_wide, cpu_packet, gl_fragment, gl_compute, gl_w
 struct Session {
     std::string scene = "ball:9000";  // procedural name or file
     unsigned seed = 1;
+    double time = 0.0;  // in seconds, of the scene's motion, which repeats; nothing to a scene that does not move
     BuildConfig build;
     TraceConfig trace;
     TracerKind tracer = TracerKind::cpu;

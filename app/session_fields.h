@@ -70,6 +70,7 @@ template <class Visitor, class AnySession>
 void visit_session(Visitor& v, AnySession& s) {
     v.text("scene", s.scene);
     v.number("seed", s.seed, limits::seed);
+    v.number("time", s.time, limits::time);
     v.number("width", s.width, limits::side);
     v.number("height", s.height, limits::side);
     v.choice("tracer", s.tracer, choices::tracers());
@@ -82,7 +83,7 @@ void visit_session(Visitor& v, AnySession& s) {
     v.flag("optimised_ropes", s.trace.optimised_ropes);
     v.flag("eye_leaf", s.trace.eye_leaf);
     v.number("entry_tile", s.trace.entry_tile, limits::entry_tile);
-    v.choice("packet_size", s.trace.packet_size, choices::packet_sizes());
+    v.packet_rays("packet_size", s.trace.packet_size);
     v.flag("shadows", s.trace.shadows);
     v.number("reflection_depth", s.trace.reflection_depth, limits::reflection_depth);
     v.number("min_contribution", s.trace.least_contribution, limits::share);

@@ -96,6 +96,17 @@ void FieldReader::node_bytes(const char* key, NodeEncoding& value) {
     value = wanted->value;
 }
 
+void FieldReader::packet_rays(const char* key, int& value) {
+    const Json* found = find(key);
+    if (!found) return;
+    for (const auto& [name, rays] : choices::packet_sizes())
+        if (*found == rays || *found == name) {
+            value = rays;
+            return;
+        }
+    refuse_value(*found, key, "4, 8 or 16, the rays of a packet");
+}
+
 void FieldReader::set(const char* key, FeatureSet& value, const std::vector<NamedValue<Feature>>& choices) {
     const Json* found = find(key);
     if (!found) return;

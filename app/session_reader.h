@@ -29,6 +29,8 @@ class FieldReader {
         if (const Json* found = find(key)) value = choice_in(*found, key, choices);
     }
     void node_bytes(const char* key, NodeEncoding& value);
+    /// Also the text in quotes that files had before.
+    void packet_rays(const char* key, int& value);
     void set(const char* key, FeatureSet& value, const std::vector<NamedValue<Feature>>& choices);
     void value_range(const char* key, HeatmapConfig& heat);
     void camera(const char* key, std::optional<Camera>& value);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/choices.h"
+#include "renderer/trace/walk_choices.h"
 
 namespace kd {
 
@@ -23,6 +24,11 @@ std::string summary_of(TracerKind tracer) {
                    "paper argues against.";
     }
     return "";
+}
+
+std::string tracer_text(TracerKind tracer, const TraceConfig& config) {
+    const bool packets = tracer == TracerKind::cpu_packet && why_idle(WalkChoice::packet, config).empty();
+    return fmt::format("{}{}", name_of(tracer), packets ? fmt::format(" of {}", config.packet_size) : "");
 }
 
 std::string why_idle(TracerChoice choice, TracerKind tracer) {

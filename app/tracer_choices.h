@@ -15,6 +15,9 @@ enum class TracerChoice { threads, context, early_z, count_shaded, packet, leaf_
 /// What it is, in a sentence.
 [[nodiscard]] std::string summary_of(TracerKind tracer);
 
+/// "cpu", or where it walks packets "cpu-packet of 16".
+[[nodiscard]] std::string tracer_text(TracerKind tracer, const TraceConfig& config);
+
 /// Why `choice` changes nothing where this tracer traces, with the remedy; empty where it does.
 [[nodiscard]] std::string why_idle(TracerChoice choice, TracerKind tracer);
 

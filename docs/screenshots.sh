@@ -106,6 +106,20 @@ small_needs() {
     shoot needs
     stop_window
 }
+small_motion() {
+    open sheet:20000 --builder exact
+    press_all shift+m
+    choose "MOTION/schedule" on-demand
+    press_all space
+    wait_for '^motion.frames=32$' 120
+    press_all space
+    choose "MOTION/schedule" pipelined
+    hover 600 20
+    press_all space
+    wait_for '^motion.frames=32$' 120
+    shoot motion
+    stop_window
+}
 small_paper() {
     open ball:9000
     press_all shift+y
@@ -245,7 +259,7 @@ panels_of_time() {
 }
 
 if [[ $SCREEN == 1280x720 ]]; then
-    all="small_tour small_stability small_needs small_paper small_divergence small_error small_splits small_nodes small_predicted small_oracle"
+    all="small_tour small_stability small_needs small_paper small_divergence small_error small_splits small_nodes small_predicted small_oracle small_motion"
 else
     all="panels_of_scene panels_of_tree panels_of_time"
 fi

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ostream>
 
 #include "app/cli/hand_split_option.h"
 #include "app/cli/typed_options.h"
@@ -18,9 +19,9 @@ namespace kd {
 namespace {
 
 /// What is wrong with the scene of a session file is told with its place there.
-FlatScene loaded_scene(const CommonOptions& options, const Session& session) {
+MovingScene loaded_scene(const CommonOptions& options, const Session& session) {
     try {
-        return load_scene(session.scene, session.seed);
+        return open_moving_scene(session.scene, session.seed);
     } catch (const InputError& error) {
         // Commands with scenes of their own, as `gallery`, take none.
         if (options.scenes.empty() || !names_session(options.scenes.front())) throw;
@@ -211,9 +212,15 @@ void add_machine_options(CLI::App& app, CommonOptions& o) {
                fmt::format("Seed of scenes and rays made at random [{}]", o.session.seed));
 }
 
+void add_time_option(CLI::App& app, CommonOptions& o) {
+    add_number(app, "--time", o.session.time, limits::time,
+               "Seconds into the scene's motion, which repeats; also before 0 [0]");
+}
+
 void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults) {
     add_size_option(app, options);
     add_machine_options(app, options);
+    add_time_option(app, options);
     add_tracing_options(app, options, defaults);
     add_shading_options(app, options, defaults);
     add_tree_options(app, options, defaults);
@@ -295,8 +302,10 @@ Session starting_session(const CLI::App& app, const CommonOptions& options, cons
     return session;
 }
 
-FlatScene open_scene(const CommonOptions& options, Session& session) {
-    FlatScene scene = loaded_scene(options, session);
+namespace {
+
+/// Camera and planes by hand in the units of `scene`, as open_scene() says.
+void take_lengths(const CommonOptions& options, Session& session, const FlatScene& scene) {
     session.build.by_hand = to_internal(scene, std::move(session.build.by_hand));
     Camera camera = session.camera.value_or(to_scene_units(scene, scene.camera));
     camera.eye = options.camera.eye.value_or(camera.eye);
@@ -306,10 +315,29 @@ FlatScene open_scene(const CommonOptions& options, Session& session) {
     if (!is_valid(camera))
         throw InputError("camera: eye and target must differ and lie within 1e18; change --eye or --target");
     const CameraOptions& given = options.camera;
-    if (session.camera || given.eye || given.target || given.up || given.fov_y_degrees) {
-        scene.camera = to_internal(scene, camera);
-        session.camera = scene.camera;
-    }
+    if (session.camera || given.eye || given.target || given.up || given.fov_y_degrees)
+        session.camera = to_internal(scene, camera);
+}
+
+}  // namespace
+
+void check_scene_names(const CommonOptions& options) {
+    for (const std::string& name : options.scenes) check_scene(options.session_for(name).scene);
+}
+
+MovingScene open_motion(const CommonOptions& options, Session& session) {
+    MovingScene moving = loaded_scene(options, session);
+    take_lengths(options, session, moving.at_rest());
+    return moving;
+}
+
+FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context) {
+    FlatScene scene = loaded_scene(options, session).at(session.time);
+    if (session.time != 0.0 && scene.duration == 0.0)
+        context.err << fmt::format("kdscope: note: --time has no effect: nothing in {} moves\n",
+                                   printable(session.scene, 1000));
+    take_lengths(options, session, scene);
+    scene.camera = session.camera.value_or(scene.camera);
     return scene;
 }
 

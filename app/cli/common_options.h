@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/choices.h"
+#include "app/cli/command.h"
 #include "app/session.h"
 #include "renderer/gl/gl_tracer.h"
 #include "renderer/measure/ray_machine.h"
+#include "renderer/scene/moving_scene.h"
 
 namespace CLI {
 class App;
@@ -49,6 +51,7 @@ void add_one_scene(CLI::App& app, CommonOptions& options, bool required);
 void add_scenes(CLI::App& app, CommonOptions& options);
 void add_size_option(CLI::App& app, CommonOptions& options);
 void add_machine_options(CLI::App& app, CommonOptions& options);
+void add_time_option(CLI::App& app, CommonOptions& options);
 void add_tracing_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 CLI::Option* add_shadows_option(CLI::App& app, CommonOptions& options);
 CLI::Option* add_nodes_option(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
@@ -60,7 +63,7 @@ void add_light_options(CLI::App& app, CommonOptions& options);
 void refuse_idle_light_options(const CLI::App& app, const Session& session);
 void add_tree_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 void add_camera_options(CLI::App& app, CommonOptions& options);
-/// All that a traced frame depends on but the camera: size, machine, tracing, shading, tree.
+/// All that a traced frame depends on but the camera: size, machine, time, tracing, shading, tree.
 void add_frame_options(CLI::App& app, CommonOptions& options, const ShownDefaults& defaults = {});
 
 /// Options that every command takes, for the sake of scripts, but that do nothing in this one: help does not list them.
@@ -86,9 +89,15 @@ void hide_options(CLI::App& app, const std::vector<std::string>& names);
                                        const std::vector<std::string>& allowed);
 
 /// Loads the scene of `session`, whose camera and planes by hand are in scene units so far, and gives it the camera
-/// asked for. The session gets a camera where it had one or one was asked for, in internal units as its planes.
-/// InputError.
-[[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session);
+/// asked for. The session gets a camera where it had one or one was asked for, in internal units as its planes. A time
+/// that the scene has no use for is noted. InputError.
+[[nodiscard]] FlatScene open_scene(const CommonOptions& options, Session& session, const CommandContext& context);
+/// The same at any time: the session's is not looked at, and its camera is one only where it had one or one was asked
+/// for.
+[[nodiscard]] MovingScene open_motion(const CommonOptions& options, Session& session);
+
+/// Looks whether every scene named can be had, as far as that takes no work. InputError.
+void check_scene_names(const CommonOptions& options);
 
 /// Makes the OpenGL context that was asked for by name, and lets it go: what is not there is told before any work.
 /// `uses_all` where a command runs every tracer unless one is named. ContextError.

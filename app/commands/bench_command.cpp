@@ -147,7 +147,7 @@ BenchScene open(const BenchOptions& options, const std::string& name, CommandCon
     BenchScene bench;
     bench.session = options.session_for(name);
     check_frame_memory(bench.session.width, bench.session.height);
-    bench.scene = open_scene(options, bench.session);
+    bench.scene = open_scene(options, bench.session, context);
     bench.tree =
         build_tree(bench.scene.triangles, bench.session.build, &bench.build, {}, context.stop, bench.session.threads);
     check_stop(context);
@@ -175,6 +175,7 @@ int run_peers(const CLI::App& app, const BenchOptions& options, CommandContext& 
     check_peers(options);
     refuse_idle(app, {{"--naive", false, "--peers walks by the stack alone; leave one of them out"}});
     note_idle_beside_peers(app, options, context);
+    check_scene_names(options);
     const int threads = app.count("--threads") > 0 ? options.session.threads : 1;
     const PeerBenchOptions how{
         {.warmup = options.warmup, .rounds = options.rounds}, threads > 0 ? threads : default_threads(), options.json};
@@ -208,6 +209,7 @@ int run(const CLI::App& app, const BenchOptions& options, CommandContext& contex
     refuse_idle(app,
                 {{"--naive", !options.traversal, "--traversal names the only one to time; leave one of them out"}});
     require_context(options, true);
+    check_scene_names(options);
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         note_idle(app, shared_uses(options, options.session_for(name), true), context);

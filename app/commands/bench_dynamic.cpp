@@ -17,7 +17,6 @@
 #include "renderer/io/file.h"
 #include "renderer/io/printable.h"
 #include "renderer/measure/motion/tree_maker.h"
-#include "renderer/scene/procedural.h"
 
 namespace kd {
 
@@ -37,9 +36,9 @@ std::vector<NamedValue<std::string>> way_choices() {
     return choices;
 }
 
-MovingScene moving_scene(const Session& session) {
-    if (std::optional<Scene> scene = make_procedural(session.scene, session.seed); scene && scene->motion)
-        return MovingScene(std::move(*scene));
+MovingScene moving_scene(const CommonOptions& options, Session& session) {
+    MovingScene scene = open_motion(options, session);
+    if (scene.duration() > 0.0) return scene;
     throw InputError(
         fmt::format("--dynamic: scene '{}' does not move; take one that does, as sheet:N", printable(session.scene)));
 }
@@ -59,6 +58,7 @@ MotionBenchPlan plan_of(const CommonOptions& options, const DynamicBenchOptions&
     plan.frames = how.frames;
     plan.rounds = std::min(how.rounds, how.frames);
     plan.warmup = how.warmup;
+    plan.first_seconds = session.time;
     plan.step_seconds = how.step_seconds;
     return plan;
 }
@@ -85,9 +85,8 @@ DynamicBench measure(const CommonOptions& options, const DynamicBenchOptions& ho
     DynamicBench bench;
     bench.session = options.session_for(name);
     check_frame_memory(bench.session.width, bench.session.height);
-    const FlatScene scene = open_scene(options, bench.session);  // its camera, and planes by hand
-    const MovingScene moving = moving_scene(bench.session);
-    bench.triangles = scene.triangles.size();
+    const MovingScene moving = moving_scene(options, bench.session);
+    bench.triangles = moving.at_rest().triangles.size();
     bench.duration = moving.duration();
     bench.plan = plan_of(options, how, bench.session);
 
@@ -103,7 +102,7 @@ DynamicBench measure(const CommonOptions& options, const DynamicBenchOptions& ho
     if (!bench.result.complete) throw Interrupted();
     bench.renderer = tracer->renderer();
     bench.software_gl = tracer->software_gl();
-    bench.on = measured_on(in_scene_units(bench.session, scene), {"scene", "builder"},
+    bench.on = measured_on(in_scene_units(bench.session, moving.at_rest()), {"scene", "builder"},
                            runs_on_cpu(bench.session.tracer) ? nullptr : tracer.get());
     return bench;
 }
@@ -130,6 +129,7 @@ int bench_dynamic(const CLI::App& app, const CommonOptions& options, const Dynam
         throw InputError("--svg: one chart is of one scene; give one scene, or leave --svg out");
     if (!how.svg.empty()) check_outputs({{"--svg", how.svg, ".svg"}}, {});
     require_context(options, false);
+    check_scene_names(options);
     Json json = Json::array();
     bool repeats = true;
     for (const std::string& name : options.scenes) {

@@ -61,12 +61,13 @@ void add_peers(const std::vector<std::unique_ptr<PeerTracer>>& peers, std::vecto
                                }});
 }
 
-PeersScene open_peers(const CommonOptions& options, const PeerBenchOptions& how, const std::string& name) {
+PeersScene open_peers(const CommonOptions& options, const PeerBenchOptions& how, const std::string& name,
+                      const CommandContext& context) {
     PeersScene peers;
     peers.session = options.session_for(name);
     peers.session.trace.traversal = Traversal::stack;
     peers.session.threads = how.threads;
-    peers.scene = open_scene(options, peers.session);
+    peers.scene = open_scene(options, peers.session, context);
     peers.peers = peers_version();
     return peers;
 }
@@ -118,7 +119,7 @@ void check_peers(const CommonOptions& options) {
 
 bool bench_peers(const CommonOptions& options, const PeerBenchOptions& how, const std::string& name, Json& json,
                  CommandContext& context) {
-    PeersScene peers = open_peers(options, how, name);
+    PeersScene peers = open_peers(options, how, name, context);
     const std::string what = fmt::format("timing {} against {}", name, peers.peers);
     tell_work(context, what);
     {

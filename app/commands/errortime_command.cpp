@@ -75,7 +75,7 @@ int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& co
     std::vector<OpenedScene> scenes;
     for (const std::string& name : options.scenes) {
         OpenedScene opened{options.session_for(name), {}};
-        opened.scene = open_scene(options, opened.session);
+        opened.scene = open_scene(options, opened.session, context);
         scenes.push_back(std::move(opened));
         check_stop(context);
     }
@@ -116,6 +116,7 @@ CommandBody declare(CLI::App& app) {
         app, "--seconds", options->seconds, 1, 1e6,
         fmt::format("Time to aim at, for all of it [{}; --quick {}]", options->config.seconds, quick_seconds));
     add_machine_options(app, *options);
+    add_time_option(app, *options);
     add_tracing_options(app, *options, {.traversal = "stack, restart, backtrack", .tracer = "all"});
     add_shadows_option(app, *options);
     add_tree_options(app, *options);

@@ -20,6 +20,7 @@
 #include "app/report/needs_report.h"
 #include "app/scenes.h"
 #include "app/session_file.h"
+#include "app/tracer_choices.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/tables.h"
@@ -96,7 +97,7 @@ void print(std::ostream& out, const Rendering& r, bool listed) {
                        r.stats.sah_cost, 1e3 * r.build.seconds);
     out << fmt::format("left out  {}{}\n", counted(r.left_out.size(), "feature"), listed ? "" : "; --needs tells why");
     out << fmt::format("traced    {}x{}, {} on {} in {:.1f} ms ({})\n", s.width, s.height, info(s.trace.traversal).name,
-                       name_of(s.tracer), r.time.total_ms, r.clock);
+                       tracer_text(s.tracer, s.trace), r.time.total_ms, r.clock);
     for (std::size_t pass = 0; pass < pass_count; ++pass)
         if (r.time.pass_ms[pass] >= 0)
             out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],

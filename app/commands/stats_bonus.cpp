@@ -141,7 +141,7 @@ int run_bonuses(const CommonOptions& options, bool as_json, CommandContext& cont
     for (const std::string& name : options.scenes) {
         Session session = options.session_for(name);
         check_frame_memory(session.width, session.height);
-        const FlatScene scene = open_scene(options, session);
+        const FlatScene scene = open_scene(options, session, context);
         std::vector<Row> rows = rows_of(session.build);
         measure(rows, session, scene, context);
         if (!as_json) {

@@ -194,7 +194,7 @@ WalkedScene open_walked(const CommonOptions& common, const std::string& name, Co
     WalkedScene opened{.session = common.session_for(name), .scene = {}, .tree = {}, .camera = {}};
     const Session& s = opened.session;
     check_frame_memory(s.width, s.height);
-    opened.scene = open_scene(common, opened.session);
+    opened.scene = open_scene(common, opened.session, context);
     opened.tree = told_tree(opened.scene, s, context);
     opened.camera = pinhole(opened.scene.camera, s.width, s.height);
     note_idle_eye(s, opened.tree, opened.scene.camera.eye, context);

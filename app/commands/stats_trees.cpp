@@ -289,7 +289,7 @@ int run_trees(const CommonOptions& options, bool every_builder, bool as_json, Co
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         Session session = options.session_for(name);
-        FlatScene scene = open_scene(options, session);
+        FlatScene scene = open_scene(options, session, context);
         check_frame_memory(session.width, session.height);
         const PinholeCamera camera = pinhole(scene.camera, session.width, session.height);
         MeasuredScene of{session, std::move(scene), camera};

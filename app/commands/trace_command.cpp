@@ -140,7 +140,7 @@ int run(const CLI::App& app, const TraceOptions& options, CommandContext& contex
                   {{"the scene's own file", session.scene}, {"the table of rays", options.rays}});
     const std::vector<Ray> asked = read_rays_csv(options.rays);
     require_context(options, true);
-    const FlatScene scene = open_scene(options, session);
+    const FlatScene scene = open_scene(options, session, context);
     const KdTree tree = build_tree(scene.triangles, session.build, nullptr, {}, context.stop, session.threads);
     check_stop(context);
     const OpenTracers tracers = open_tracers(options, scene, tree, context);
@@ -173,6 +173,7 @@ CommandBody declare(CLI::App& app) {
                    "Also a table of the rays that some answer to is wrong, as --rays reads")
         ->type_name("FILE");
     add_machine_options(app, *options);
+    add_time_option(app, *options);
     const ShownDefaults everything{.traversal = "all", .tracer = "all"};
     add_tracing_options(app, *options, everything);
     add_tree_options(app, *options, everything);

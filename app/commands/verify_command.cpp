@@ -174,6 +174,7 @@ CommandBody declare(CLI::App& app) {
                     fmt::format("Rays made to break traversals [{}]", config.adversarial_rays));
     add_size_option(app, *options);
     add_machine_options(app, *options);
+    add_time_option(app, *options);
     const ShownDefaults everything{"all", "all", "all", "osmesa and egl", "both"};
     add_tracing_options(app, *options, everything);
     add_shading_options(app, *options, everything);

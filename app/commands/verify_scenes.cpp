@@ -12,7 +12,7 @@ int check_scenes(const CommonOptions& options, bool as_json, CommandContext& con
     Json json = Json::array();
     for (const std::string& name : options.scenes) {
         Session session = options.session_for(name);
-        const FlatScene scene = open_scene(options, session);
+        const FlatScene scene = open_scene(options, session, context);
         const CheckedScene checked = [&] {
             ProgressLine progress(context);
             return check(session, scene,

@@ -30,7 +30,7 @@ bool is_set(const char* variable) {
 int run(const CLI::App& app, const CommonOptions& options, CommandContext& context) {
     Session session = starting_session(app, options, {"--size", "--context"});
     (void)environment_scale();  // what is wrong is told first, and before a window opens
-    (void)open_scene(options, session);
+    (void)open_scene(options, session, context);
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
         throw NoDisplay(std::string("no display (neither DISPLAY nor WAYLAND_DISPLAY is set)") + instead);
     note_idle(app,
@@ -42,9 +42,9 @@ int run(const CLI::App& app, const CommonOptions& options, CommandContext& conte
 
 #else
 
-int run(const CLI::App& app, const CommonOptions& options, CommandContext&) {
+int run(const CLI::App& app, const CommonOptions& options, CommandContext& context) {
     Session session = starting_session(app, options, {"--size", "--context"});
-    (void)open_scene(options, session);  // a bad scene is told first
+    (void)open_scene(options, session, context);  // a bad scene is told first
     throw NoDisplay(std::string("this build has no window") + instead);
 }
 

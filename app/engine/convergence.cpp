@@ -8,6 +8,7 @@
 #include "app/choices.h"
 #include "app/cli/error_text.h"
 #include "app/engine/engine.h"
+#include "app/tracer_choices.h"
 #include "renderer/trace/walk_choices.h"
 
 namespace kd {
@@ -49,7 +50,7 @@ double steps_per_pixel(const Frame& frame) {
 }
 
 std::string how_text(const Session& s) {
-    std::string text = fmt::format("{}, {}", info(s.trace.traversal).name, name_of(s.tracer));
+    std::string text = fmt::format("{}, {}", info(s.trace.traversal).name, tracer_text(s.tracer, s.trace));
     if (const Rules rules = rules_in_force(s.trace); rules != Rules::robust)
         text += fmt::format(", {}", info(rules).name);
     return text;
@@ -181,7 +182,7 @@ void Engine::note_rounds() {
 
 void Engine::start_sample() {
     if (!convergence_.wants_sample() || !state_.world || state_.stale() || state_.working()) return;
-    if (state_.paper.active || state_.stability.active || tracer_.busy()) return;
+    if (state_.paper.active || state_.stability.active || state_.motion.playing || tracer_.busy()) return;
     if (now() - last_input_ < quiet_before_sample_s) return;
     const glm::dvec2 offset = convergence_.begin_or_go_on(configuration_shown());
     duelling_ = true;

@@ -70,20 +70,25 @@ void Engine::set_session(const Session& wanted) {
     if (next == before) return;
     state_.session = next;
     ++state_.generation;
-    const bool scene_changed = next.scene != before.scene || next.seed != before.seed;
-    if (scene_changed && !state_.loading.active) {
+    const bool other_scene = next.scene != before.scene || next.seed != before.seed;
+    const bool moved = next.time != before.time && moves();  // poll() has it posed
+    if (other_scene && !state_.loading.active) {
         camera_before_load_ = before.camera;
         planes_before_load_ = before.build.by_hand;
     }
-    if (scene_changed) opened_.reset();
-    if (scene_changed)
+    if (other_scene) opened_.reset();
+    // A slider that is dragged must not keep poses from being finished.
+    if (other_scene || next.build != before.build || (moved && state_.motion.playing)) drop_pose();
+    if (!same_frame(next, before)) last_view_ = now();
+    if (other_scene)
         start_load();
     else if (next.build != before.build)
         start_build();
-    if (scene_changed || next.build != before.build || !same_frame(next, before)) trace_generation_ = state_.generation;
+    const bool other_world = other_scene || moved || next.build != before.build;
+    if (other_world || !same_frame(next, before)) trace_generation_ = state_.generation;
     if (!same_frame(next, before))
         start_trace();
-    else if (!scene_changed && next.build == before.build)
+    else if (!other_world)
         start_paint();
 }
 
@@ -174,11 +179,14 @@ bool Engine::poll() {
     if (state_.tracing.active) state_.tracing.fraction = trace_fraction_;
     if (state_.judging.active) state_.judging.fraction = judge_fraction_;
     if (state_.needs.active) state_.needs.fraction = needs_fraction_;
+    follow_motion();
     duels_.turn_to(configuration_shown(), duel_scale_);
     start_widths();
     start_visits();
     start_cell();
-    tree_view_.follow(tree_wish_, state_.world, state_.visits.world == state_.world ? state_.visits.visits : nullptr);
+    if (!state_.motion.playing || !state_.tree_view.active)  // else no view would ever be finished
+        tree_view_.follow(tree_wish_, state_.world,
+                          state_.visits.world == state_.world ? state_.visits.visits : nullptr);
     if (state_.world) planes_.turn_to(configuration_shown(), state_.world->loaded);
     if (state_.world) convergence_.follow(configuration_shown());
     if (!duelling_) start_sample();

@@ -18,6 +18,7 @@
 #include "app/engine/judging.h"
 #include "app/engine/mailbox.h"
 #include "app/engine/paint.h"
+#include "app/engine/posing.h"
 #include "app/engine/state.h"
 #include "app/engine/tracing.h"
 #include "app/engine/worker.h"
@@ -80,6 +81,10 @@ class Engine {
     /// Samples the resting picture on and on, in place of timing it, until stopped or ConvergenceState::most_samples.
     void sample_picture(Sampler sampler);
     void stop_sampling() { convergence_.stop(); }
+    /// Plays the scene's motion, or not, and how poses get their trees. Session::time goes along: a pose is asked for
+    /// by the wall clock and shown before the next one is, so that none is left out and none waits. Nothing where the
+    /// scene does not move.
+    void play(const MotionWish& wish);
     /// A person did something: no duel for a while.
     void note_input();
     /// `scale` of the frames that are timed: 1 = every pixel, 2 = half of the picture along each side; 0 = the
@@ -111,6 +116,19 @@ class Engine {
     void start_build();
     void finish_build(std::shared_ptr<const World> world);
     void finish_meantime(std::shared_ptr<const World> world);
+    void use(std::shared_ptr<const World> world);
+    void begin_playing();
+    void end_playing();
+    void follow_motion();
+    void start_pose();
+    void finish_pose(const Posed& posed);
+    void take_pose();
+    void drop_pose();
+    [[nodiscard]] bool moves() const;
+    [[nodiscard]] bool drags() const;
+    [[nodiscard]] bool shows_pose() const;
+    [[nodiscard]] double time_to_pose();
+    void note_played(const TracedFrame& traced);
     void start_trace();
     void note_gl(const GlStatus& gl);
     void receive(TracedFrame traced);
@@ -163,8 +181,14 @@ class Engine {
     std::weak_ptr<const World> selected_in_;  // the tree that state().selected is of
     bool wants_costs_ = false;
     TreeViewWish tree_wish_;
-    std::vector<int> walked_leaves_;  // by the ray of this pixel of this frame
-    int walked_hit_leaf_ = -1;        // in which it ended
+    MotionWish motion_wish_;
+    double last_view_ = -1e9;                   // when camera, traversal or machine changed last
+    double sampled_time_ = 0, sampled_at_ = 0;  // of the motion and of now(), when a pose was asked for last
+    std::shared_ptr<const World> next_pose_;    // ready, until the one before it is shown
+    std::uint64_t pose_generation_ = 0;         // that it answers, or the one that is being made
+    Session recorded_;                          // what state().motion is of
+    std::vector<int> walked_leaves_;            // by the ray of this pixel of this frame
+    int walked_hit_leaf_ = -1;                  // in which it ended
     std::shared_ptr<const Frame> walked_frame_;
     PixelPosition walked_pixel_;
     bool walked_in_steps_ = false;        // by the frame's own traversal, not by a stack
@@ -193,6 +217,7 @@ class Engine {
     TreeViewBench tree_view_{mailbox_, state_.tree_view};
     PlaneBook planes_{state_.plane_effect};
     Convergence convergence_{state_.convergence};
+    Posing posing_{mailbox_};
     std::unique_ptr<Tracing> tracing_;                                // lives and dies on tracer_'s thread
     Judging judging_;                                                 // judger_'s alone
     Worker loader_, builder_, painter_, sketcher_, tracer_, judger_;  // last: joined before what their jobs use goes

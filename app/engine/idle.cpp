@@ -17,7 +17,7 @@ constexpr double longest_duel_pause_s = 2;
 }  // namespace
 
 void Engine::start_duel() {
-    if (!options_.duel || !state_.world || state_.stale() || state_.working()) return;
+    if (!options_.duel || !state_.world || state_.stale() || state_.working() || state_.motion.playing) return;
     if (state_.paper.active) return;  // its times are not to be disturbed
     // They take all processors.
     if (state_.stability.active || state_.widths.active || state_.visits.active) return;
@@ -60,7 +60,8 @@ void Engine::receive(const DuelReply& reply) {
 
 /// Nobody works and nothing changes: time for what takes all processors.
 bool Engine::rests() const {
-    return !state_.stale() && !state_.working() && traced_.scale == 1 && now() - last_input_ >= quiet_before_duel_s;
+    return !state_.stale() && !state_.working() && !state_.motion.playing && traced_.scale == 1 &&
+           now() - last_input_ >= quiet_before_duel_s;
 }
 
 /// Of the frame and the rays that the picture shows. A picture that changes is left alone.

@@ -23,6 +23,13 @@ int LevelPlan::first(int width, int height) const {
     return scale;
 }
 
+int LevelPlan::moving(int width, int height) const {
+    if (!(ms_per_pixel_ > 0)) return first(width, height);
+    int scale = 1;
+    while (scale < coarsest && predicted_ms(scale, width, height) > moving_ms) scale *= 2;
+    return scale;
+}
+
 int LevelPlan::next(int scale, int width, int height) const {
     if (predicted_ms(1, width, height) < direct_ms) return 1;
     return std::max(1, scale / 4);

@@ -10,6 +10,8 @@ class LevelPlan {
     static constexpr double first_frame_ms = 15;
     /// A picture predicted to take less than this is traced without steps between.
     static constexpr double direct_ms = 250;
+    /// A picture of a motion is traced as fine as it can be in this time.
+    static constexpr double moving_ms = 200;
     static constexpr int coarsest = 32;
 
     /// Forgets the speed: another tree, traversal or machine.
@@ -18,6 +20,8 @@ class LevelPlan {
 
     /// Scale of the first frame of a width x height picture: a power of two.
     [[nodiscard]] int first(int width, int height) const;
+    /// Of the only frame of a picture that gives way to another at once.
+    [[nodiscard]] int moving(int width, int height) const;
     /// Scale that follows `scale`; 1 is the last.
     [[nodiscard]] int next(int scale, int width, int height) const;
     /// 0 while the speed is not known.

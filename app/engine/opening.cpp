@@ -25,7 +25,7 @@ void Engine::open_session(const std::string& file) {
     next.height = state_.session.height;
     opened_.reset();
     for (const auto& loaded : {scene_, state_.world ? state_.world->loaded : nullptr}) {
-        if (!loaded || loaded->name != next.scene || loaded->seed != next.seed) continue;
+        if (!loaded || loaded->name != next.scene || loaded->seed != next.seed) continue;  // at whatever time
         next.camera = usable_camera(loaded->flat, next.camera);
         next.build.by_hand = to_internal(loaded->flat, std::move(next.build.by_hand));
         return set_session(next);

@@ -138,7 +138,7 @@ void Engine::note_planes(const TracedFrame& traced) {
 void Engine::start_cell() {
     if (!wants_costs_ || !state_.selected) return cell_.cancel();
     // A tree that is about to be replaced is not worth it.
-    if (state_.building.active || cell_.is_of(state_.world, state_.selected->path)) return;
+    if (state_.building.active || state_.motion.playing || cell_.is_of(state_.world, state_.selected->path)) return;
     cell_.measure(state_.world, state_.selected->path, state_.selected->node);
 }
 

@@ -71,8 +71,8 @@ class GlSource final : public FrameSource {
                 tracer_.upload(task.world->scene(), task.world->tree);
                 context_.gl().Finish();
             });
+            if (!world_ || !alike(*world_, *task.world)) drawer_.forget_speed();
             world_ = task.world;
-            drawer_.forget_speed();
         }
         compiled_now_ = false;
         const GlTraceConfig config = complete(task);

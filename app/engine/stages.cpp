@@ -19,8 +19,21 @@ namespace {
 constexpr double longest_finished_ms = 300;  // of a build that is let finish though another is asked for
 constexpr double longest_paint_ms = 40;      // above it a sketch comes first
 
-bool asks_for(const Session& session, const LoadedScene& scene) {
-    return session.scene == scene.name && session.seed == scene.seed;
+/// `known` is a scene loaded before, or null: at another time it need not be read again.
+std::shared_ptr<const LoadedScene> load(const Session& wanted, const std::shared_ptr<const LoadedScene>& known) {
+    auto loaded = std::make_shared<LoadedScene>(LoadedScene{wanted.scene, wanted.seed, {}, wanted.time});
+    if (known && known->moving && known->name == wanted.scene && known->seed == wanted.seed)
+        loaded->moving = known->moving;
+    else {
+        MovingScene opened = open_moving_scene(wanted.scene, wanted.seed);
+        if (opened.duration() == 0.0) {
+            loaded->flat = std::move(opened).at(0.0);
+            return loaded;
+        }
+        loaded->moving = std::make_shared<const MovingScene>(std::move(opened));
+    }
+    loaded->flat = loaded->moving->at(wanted.time);
+    return loaded;
 }
 
 /// Whether what the map needs beside the frame exists at all.
@@ -32,9 +45,9 @@ bool can_be_made(const MapConfig& map) {
 }  // namespace
 
 void Engine::start_load() {
-    const std::string name = state_.session.scene;
-    const unsigned seed = state_.session.seed;
+    const Session wanted = state_.session;
     builder_.cancel();
+    drop_pose();
     state_.building = {};
     build_waits_ = false;
     forget_refused();
@@ -46,17 +59,18 @@ void Engine::start_load() {
         return;
     }
     state_.loading = {true, 0};
-    state_.loading_name = name;
-    loader_.submit([this, name, seed](const std::stop_token&) {
+    state_.loading_name = wanted.scene;
+    loader_.submit([this, wanted, known = scene_](const std::stop_token&) {
         std::shared_ptr<const LoadedScene> loaded;
         std::string error;
         try {
-            loaded = std::make_shared<LoadedScene>(LoadedScene{name, seed, load_scene(name, seed)});
+            loaded = load(wanted, known);
         } catch (const std::exception& e) {
-            error = error_text(e, name);
+            error = error_text(e, wanted.scene);
         }
-        mailbox_.post([this, name, seed, loaded, error] {
-            if (state_.session.scene != name || state_.session.seed != seed) return;  // no longer wanted
+        mailbox_.post([this, wanted, loaded, error] {
+            const Session& now = state_.session;
+            if (now.scene != wanted.scene || now.seed != wanted.seed) return;  // no longer wanted
             if (loaded)
                 finish_load(loaded);
             else
@@ -85,6 +99,7 @@ void Engine::fail_load(const std::string& reason) {
         back.height = state_.session.height;
         back.scene = state_.world->loaded->name;
         back.seed = state_.world->loaded->seed;
+        back.time = state_.world->loaded->time;
         back.camera = camera_before_load_;
         back.build.by_hand = planes_before_load_;
         set_session(back);
@@ -143,9 +158,13 @@ void Engine::start_build() {
     });
 }
 
-void Engine::finish_build(std::shared_ptr<const World> world) {
+void Engine::use(std::shared_ptr<const World> world) {
     state_.world = std::move(world);
     state_.last_build_ms = 1e3 * state_.world->report.seconds;
+}
+
+void Engine::finish_build(std::shared_ptr<const World> world) {
+    use(std::move(world));
     for (const std::string& note : build_notes(state_.world->report)) say(false, "tree: " + note);
     meantime_generation_ = 0;
     trace_generation_ = ++state_.generation;
@@ -154,14 +173,19 @@ void Engine::finish_build(std::shared_ptr<const World> world) {
 
 /// A tree that nobody asks for any more: shown until the one that is asked for is built.
 void Engine::finish_meantime(std::shared_ptr<const World> world) {
-    state_.world = std::move(world);
-    state_.last_build_ms = 1e3 * state_.world->report.seconds;
+    use(std::move(world));
     meantime_generation_ = building_generation_;
     start_trace();
     start_build();
 }
 
 void Engine::cancel_build() {
+    if (state_.motion.posing && state_.world) {
+        drop_pose();
+        Session back = state_.session;
+        back.time = state_.world->loaded->time;
+        set_session(back);
+    }
     if (!state_.building.active) return;
     builder_.cancel();
     build_waits_ = false;
@@ -176,16 +200,17 @@ TraceRequest Engine::trace_request() const {
     const Session& s = state_.session;
     // A frame of a tree that is about to be replaced is shown, but answers nothing, or what was asked for before.
     const bool current = asks_for(s, *state_.world->loaded) && state_.world->built_with == s.build;
-    return {state_.world,
-            s.trace,
-            s.tracer,
-            camera_in_use(),
-            s.width,
-            s.height,
-            s.threads,
-            s.early_z,
-            current ? state_.generation : meantime_generation_,
-            {s.samples, s.sample_error}};
+    return {.world = state_.world,
+            .config = s.trace,
+            .tracer = s.tracer,
+            .camera = camera_in_use(),
+            .width = s.width,
+            .height = s.height,
+            .threads = s.threads,
+            .early_z = s.early_z,
+            .generation = current ? state_.generation : meantime_generation_,
+            .samples = {s.samples, s.sample_error},
+            .moving = state_.motion.playing && !drags()};
 }
 
 void Engine::start_trace() {
@@ -234,8 +259,11 @@ void Engine::receive(TracedFrame traced) {
     // Cells keep their colours until the rays of the new frame are counted.
     if (traced_.world == traced.world) traced.visits = traced_.visits;
     traced_ = std::move(traced);
-    note_frame(traced_);
-    note_planes(traced_);
+    note_played(traced_);
+    if (!state_.motion.playing) {
+        note_frame(traced_);
+        note_planes(traced_);
+    }
     start_paint();
 }
 

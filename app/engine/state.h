@@ -11,6 +11,7 @@
 #include "app/engine/cell_costs.h"
 #include "app/engine/convergence.h"
 #include "app/engine/duel.h"
+#include "app/engine/motion_state.h"
 #include "app/engine/paper.h"
 #include "app/engine/pixel.h"
 #include "app/engine/plane_effect.h"
@@ -54,6 +55,7 @@ struct TracedFrame {
     /// Of the nodes of `world` by the rays of this frame, or of one before it; null where none were counted.
     std::shared_ptr<const NodeVisits> visits = {};
     std::optional<SampleCount> samples = {};  // where light is sampled
+    StepInterval upload = {}, trace = {};  // by the steady clock; the second to the frame's end, from the coarsest on
 };
 
 /// What walks the rays of a frame once more.
@@ -154,6 +156,7 @@ struct EngineState {
     GlStatus gl;
     DuelState duel;
     NeedsTiming needs;
+    MotionState motion;
     int compiling = 0;  // programs that the GPU is being given now
     int compiled = 0;   // since the start
     StabilityState stability;
@@ -177,7 +180,12 @@ struct EngineState {
     [[nodiscard]] bool stale() const {
         return !picture || picture->generation != generation || picture->traced.scale != 1 || picture->sketch;
     }
-    [[nodiscard]] bool working() const { return loading.active || building.active || tracing.active || judging.active; }
+    [[nodiscard]] bool working() const {
+        return loading.active || building.active || tracing.active || judging.active || motion.posing;
+    }
+    /// Seconds of its motion at which the scene in use is shown, and until it begins again: 0 where nothing moves.
+    [[nodiscard]] double time_shown() const { return world ? world->scene().time : 0; }
+    [[nodiscard]] double duration() const { return world ? world->scene().duration : 0; }
     /// What features save was measured of another picture, scene or machine.
     [[nodiscard]] bool needs_outdated() const {
         Session now = session;

@@ -72,9 +72,9 @@ FrameSource& Tracing::source(TracerKind kind) {
 }
 
 void Tracing::forget_speed_of_others(const TraceRequest& request) {
-    const bool same = planned_for_.world == request.world && planned_for_.config == request.config &&
-                      planned_for_.tracer == request.tracer && planned_for_.threads == request.threads &&
-                      planned_for_.early_z == request.early_z;
+    const bool same = planned_for_.world && alike(*planned_for_.world, *request.world) &&
+                      planned_for_.config == request.config && planned_for_.tracer == request.tracer &&
+                      planned_for_.threads == request.threads && planned_for_.early_z == request.early_z;
     if (!same) plan_.reset();
     planned_for_ = request;
 }
@@ -128,7 +128,11 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
     const std::vector<std::string> omitted =
         left_out(request.world->facts, request.config, runs_on_cpu(request.tracer));
 
-    const int first = plan_.first(request.width, request.height);
+    const int first =
+        request.moving ? plan_.moving(request.width, request.height) : plan_.first(request.width, request.height);
+    StepInterval upload{steady_seconds(), {}};
+    if (!machine.prepare(task, scaled_size(request.width, first), scaled_size(request.height, first), stop)) return;
+    upload.end = steady_seconds();
     for (int scale = first; scale >= 1; scale = plan_.next(scale, request.width, request.height)) {
         const int width = scaled_size(request.width, scale);
         const int height = scaled_size(request.height, scale);
@@ -160,10 +164,13 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
                                  scale == 1 ? walk_totals(*frame) : std::array<CounterTotals, pass_count>{},
                                  {},
                                  {},
-                                 request.samples.samples > 0 ? std::optional(SampleCount{1, 1.0}) : std::nullopt};
+                                 request.samples.samples > 0 ? std::optional(SampleCount{1, 1.0}) : std::nullopt,
+                                 upload,
+                                 {upload.end, steady_seconds()}};
         publish(traced);
-        if (scale == 1 && request.samples.samples > 1) add_samples(request, traced, stop, publish, progress);
-        if (scale == 1 || stop.stop_requested()) return;
+        if (scale == 1 && request.samples.samples > 1 && !request.moving)
+            add_samples(request, traced, stop, publish, progress);
+        if (scale == 1 || request.moving || stop.stop_requested()) return;
     }
 }
 

@@ -31,6 +31,7 @@ struct TraceRequest {
     std::uint64_t generation = 0;
     SamplePlan samples{0, 0};  // of light; 0: it is not sampled
     int duel_scale = 0;        // of the frames that a duel times; 0 = the program's choice
+    bool moving = false;       // another pose follows at once: one frame, as fine as time allows
 };
 
 /// A frame's colours and its time in ms.

@@ -100,7 +100,8 @@ class GlFrameTracer final : public FrameTracer {
                     const std::function<void(float)>& progress) override {
         context_->make_current();
         warm_up(config, camera, width, height);
-        if (choices_.wake && !context_->is_software())
+        // Later samples come at once.
+        if (choices_.wake && config.sampling.sample <= 0 && !context_->is_software())
             drawer_.wake(*tracer_, complete(config), camera, width, height, stop);
         return drawer_.draw(*tracer_, complete(config), camera, width, height, stop, progress);
     }

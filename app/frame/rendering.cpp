@@ -6,6 +6,7 @@
 #include "app/cli/idle_options.h"
 #include "app/cli/progress_line.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "renderer/measure/frame_judge.h"
 #include "renderer/measure/frame_walks.h"
 #include "renderer/measure/node_visits.h"
@@ -45,7 +46,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     const auto show = [&](const char* what) { return [&progress, what](float done) { progress.show(done, what); }; };
     r.session = std::move(session);
     r.session.trace = first_sample(r.session);
-    r.scene = open_scene(options, r.session);
+    r.scene = open_scene(options, r.session, context);
     r.session.camera = r.scene.camera;
     const Session& s = r.session;
     r.tree = build_tree(r.scene.triangles, s.build, &r.build, show("building the tree"), context.stop, s.threads);
@@ -100,6 +101,8 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
 
 FigureFacts facts_of(const Rendering& r) {
     return {.scene = r.session.scene,
+            .time = r.scene.time,
+            .duration = r.scene.duration,
             .triangles = r.scene.triangles.size(),
             .build = r.session.build,
             .trace = r.session.trace,
@@ -117,7 +120,7 @@ FigureFacts facts_of(const Rendering& r) {
 }
 
 void write_picture(const std::string& path, const Rendering& r, const ViewConfig& view, bool legend, const Font& font) {
-    const std::string title = title_of(r.session.scene, view);
+    const std::string title = title_of(scene_text(r.session.scene, r.scene.time, r.scene.duration), view);
     const std::string caption = caption_of(facts_of(r));
     const bool bare = !legend || (!view.show_map && !view.overlay.show);
     const Image<Rgba8> image =

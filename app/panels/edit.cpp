@@ -104,6 +104,7 @@ void show_unfinished(const EngineState& state, Edit& edit) {
 
 void choose_scene(Edit& edit, const std::string& scene) {
     edit.session.scene = scene;
+    edit.session.time = 0;  // of another motion
     edit.session.camera.reset();
     edit.session.build.by_hand.clear();  // of the tree before
     edit.window.planes_before.clear();
@@ -285,6 +286,7 @@ void compare(Edit& edit) {
     if (shown.scene != before.scene) shown.build.by_hand.clear();  // of another tree
     shown.scene = before.scene;
     shown.seed = before.seed;
+    shown.time = before.time;
     shown.camera = before.camera;
     shown.width = before.width;
     shown.height = before.height;

@@ -88,6 +88,7 @@ struct WindowSettings {
     PaperView paper;
     ErrorTimeView error_time;
     NodesView nodes;
+    MotionWish motion;
 };
 
 enum class Action {
@@ -133,6 +134,11 @@ struct Edit {
 
 /// The bottom panel that has efficiency against width measured while it is shown.
 inline constexpr const char* divergence_panel = "DIVERGENCE";
+/// Where the scene's motion is played.
+inline constexpr const char* motion_panel = "MOTION";
+/// From one frame of a motion to the next, when a person steps, in seconds.
+inline constexpr double motion_step_s = 1.0 / 30;
+inline constexpr float slowest_motion = 0.1f, fastest_motion = 4;
 /// Those in which a node is looked at, and in which one is found.
 inline constexpr const char* splits_panel = "SPLITS";
 inline constexpr const char* nodes_panel = "NODES";
@@ -196,6 +202,14 @@ void switch_camera_style(Edit& edit);
 /// It is what V comes back to from the other machine.
 void choose_tracer(Edit& edit, TracerKind tracer);
 void switch_tracer(const EngineState& state, Edit& edit);
+/// Plays the motion or stops it; where nothing moves MOTION says so.
+void toggle_playing(const EngineState& state, Edit& edit);
+/// That time of the motion, which no longer plays; the motion begins again after its end.
+void seek(const EngineState& state, Edit& edit, double seconds);
+/// So many frames on, or back.
+void step_motion(const EngineState& state, Edit& edit, int frames);
+/// What the engine found of the motion: it came to its end, or the scene does not move any more.
+void settle_motion(const EngineState& state, Edit& edit);
 /// The pixel under the mouse, or none where that is the one pinned already.
 void pin(Edit& edit);
 void move_pin(const EngineState& state, Edit& edit, int dx, int dy);

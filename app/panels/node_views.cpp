@@ -28,7 +28,7 @@ ImU32 colour_of(const TreeView& view, int node) {
 /// What is to be drawn: a view of the tree in use, or of the one before until it is there.
 const TreeView* view_of(const EngineState& state) {
     const TreeView* view = state.tree_view.view.get();
-    return view && state.world && view->world->loaded == state.world->loaded ? view : nullptr;
+    return view && state.world && same_scene(*view->world->loaded, *state.world->loaded) ? view : nullptr;
 }
 
 /// Whether nodes of the view are nodes of the tree in use, so that they can be selected.

@@ -18,6 +18,7 @@ void draw_needs_panel(const EngineState& state, Edit& edit);
 void draw_error_time_panel(const EngineState& state, Edit& edit);
 void draw_splits_panel(const EngineState& state, Edit& edit);
 void draw_nodes_panel(const EngineState& state, Edit& edit);
+void draw_motion_panel(const EngineState& state, Edit& edit);
 
 std::span<const Panel> panels() {
     static constexpr Panel table[] = {
@@ -28,6 +29,8 @@ std::span<const Panel> panels() {
         {"PIXEL", PanelPlace::right, 0, draw_pixel_panel},
         {"EXPORT", PanelPlace::right, 0, draw_export_panel, "", true},
         {"TIME", PanelPlace::bottom, 0, draw_time_panel, "The same frame by CPU and GPU in turn."},
+        {motion_panel, PanelPlace::bottom, 0, draw_motion_panel,
+         "Plays the scene's motion: who builds and who traces when. Key Shift M; Space plays."},
         {"STABILITY", PanelPlace::bottom, 0, draw_stability_panel,
          "Cases that break ray tracers: run them, see them, drive their parameters. Key Y."},
         {divergence_panel, PanelPlace::bottom, 0, draw_divergence_panel,

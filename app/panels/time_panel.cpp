@@ -35,9 +35,9 @@ void large(const std::string& text, ImU32 colour) {
     ImGui::PopFont();
 }
 
-/// A machine's median, large, with spread, rate and clock below.
+/// A machine's median, large, with spread and rate below, and which tracer was timed by which clock.
 void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time, const DuelState& duel,
-                  const std::string& clock, const std::string& missing) {
+                  const std::string& tracer, const std::string& missing) {
     const ImU32 dim = shade(duel, theme::dim_text);
     ImGui::BeginGroup();
     widgets::note(name, shade(duel, colour));
@@ -45,7 +45,7 @@ void draw_machine(const std::string& name, ImU32 colour, const TimeSummary& time
     if (time.samples > 0) {
         widgets::note(fmt::format("{} – {} ms", number_text(time.p25_ms), number_text(time.p75_ms)), dim);
         widgets::note(fmt::format("{} Mrays/s", number_text(duel.mrays_per_s(time))), dim);
-        widgets::note(clock, dim);
+        widgets::note(tracer, dim);
     } else {
         widgets::note(missing);
     }
@@ -159,10 +159,10 @@ std::string clocks(const EngineState& state) {
     const std::string frame = duel.scale > 1 ? fmt::format("the picture in {} × {} of its {} × {} pixels", duel.width,
                                                            duel.height, state.session.width, state.session.height)
                                              : "the frame that is shown";
-    std::string text = fmt::format(
-        "Both trace {}, in turn, without counters; median and middle half of the last {} rounds. Pauses while you "
-        "work.\nCPU clock: {}.",
-        frame, DuelState::history, duel.cpu_clock.empty() ? "steady clock" : duel.cpu_clock);
+    std::string text = fmt::format("The tracers cpu and gl-fragment trace {}, in turn, without counters; median and "
+                                   "middle half of the last {} rounds. Pauses while you "
+                                   "work.\nCPU clock: {}.",
+                                   frame, DuelState::history, duel.cpu_clock.empty() ? "steady clock" : duel.cpu_clock);
     if (!duel.gl_clock.empty()) text += fmt::format("\nGPU clock: {}.", duel.gl_clock);
     if (duel.clock_discrepancy != 0)
         text += fmt::format("\nThe steady clock says {:+.1f} %.", 100 * duel.clock_discrepancy);
@@ -206,11 +206,11 @@ void draw_time_panel(const EngineState& state, Edit& edit) {
         used += widths[i];
     }
     ImGui::SetColumnWidth(tall ? 3 : 4, tall ? widths[3] : std::max(theme::px(100), width - used));
-    draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, duel.cpu_clock, waiting);
+    draw_machine("CPU " + traversal, theme::cpu, duel.cpu, duel, "cpu, " + duel.cpu_clock, waiting);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
     draw_machine("GPU " + traversal + (state.gl.software ? " (software)" : ""), theme::gpu, duel.gl, duel,
-                 duel.gl_clock, no_gpu);
+                 "gl-fragment, " + duel.gl_clock, no_gpu);
     widgets::hint(clocks(state));
     ImGui::NextColumn();
     draw_verdict(state, edit);

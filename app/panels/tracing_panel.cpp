@@ -129,6 +129,7 @@ void draw_nodes(TraceConfig& trace) {
 }
 
 void draw_early_z(Edit& edit) {
+    if (runs_on_cpu(edit.session.tracer)) return;
     const std::string idle = why_idle(TracerChoice::early_z, edit.session.tracer);
     int index = int(edit.session.early_z);
     ImGui::BeginDisabled(!idle.empty());
@@ -212,27 +213,32 @@ void draw_shaded(const EngineState& state, const Picture& picture) {
     }
 }
 
-/// "2 passes; left out: RTRefl, ShadeRefl, textures", with all that the tracer does without, and why, in the tooltip.
+/// "2 passes; left out: RTRefl, ShadeRefl, textures", or without passes where the tracer has none, with all that it
+/// does without, and why, in the tooltip.
 void draw_passes_run(const TracedFrame& traced) {
     const SceneNeeds& needs = traced.needs;
+    const bool passes = traced.tracer == TracerKind::gl_fragment || traced.tracer == TracerKind::gl_compute;
     std::string missing;
     const auto name = [&](bool needed, const char* what) {
-        if (!needed) missing += (missing.empty() ? "; left out: " : ", ") + std::string(what);
+        if (!needed) missing += (missing.empty() ? "left out: " : ", ") + std::string(what);
     };
-    name(needs.reflections, "RTRefl, ShadeRefl");
+    name(needs.reflections, passes ? "RTRefl, ShadeRefl" : "reflections");
     name(needs.textures, "textures");
     name(needs.normals, "normals");
     name(needs.shadows, "shadow rays");
     const bool cpu = runs_on_cpu(traced.tracer);
     std::string why = fmt::format(
-        "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects, RTIndirect and "
-        "ShadeIndirect where indirect light is sampled.\n\nFeatures that "
-        "the {} does without for this scene and these settings: {}{}.",
+        "{}Features that the {} does without for this scene and these settings: {}{}.",
+        passes ? "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects, "
+                 "RTIndirect and ShadeIndirect where indirect light is sampled.\n\n"
+               : "",
         cpu ? "CPU" : "GPU", traced.left_out.size(),
         cpu ? "; what only the GPU's programs can leave out is not counted" : "");
     for (const std::string& line : traced.left_out) why += "\n" + line + ".";
-    const int passes = 2 + (needs.reflections ? 2 : 0) + (needs.indirect ? 2 : 0);
-    widgets::note(fmt::format("{} passes", passes) + missing);
+    if (missing.empty()) missing = "nothing is left out";
+    widgets::note(
+        passes ? fmt::format("{} passes; {}", 2 + (needs.reflections ? 2 : 0) + (needs.indirect ? 2 : 0), missing)
+               : missing);
     widgets::hint(why);
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/terminal.h"
 #include "app/cli/text_table.h"
+#include "app/tracer_choices.h"
 #include "renderer/cpu/threads.h"
 #include "renderer/measure/motion/tree_maker.h"
 
@@ -94,7 +95,7 @@ std::string head_text(const DynamicBench& bench) {
     const Session& s = bench.session;
     return fmt::format("{}: {}, {:.3g} s of motion, {}x{}, {} by {} ({} to build, {} to trace)", s.scene,
                        counted(bench.triangles, "triangle"), bench.duration, s.width, s.height,
-                       info(s.trace.traversal).name, name_of(s.tracer),
+                       info(s.trace.traversal).name, tracer_text(s.tracer, s.trace),
                        counted(counted_threads(bench.plan.build_threads), "thread"),
                        runs_on_cpu(s.tracer)          ? counted(counted_threads(s.threads), "thread")
                        : !bench.on.gl_threads.empty() ? bench.on.gl_threads + " threads"
@@ -138,6 +139,7 @@ Json row_json(const DynamicBench& bench, const MotionRow& row) {
             {"trace_threads", cpu ? Json(counted_threads(bench.session.threads)) : Json(nullptr)},
             {"width", bench.session.width},
             {"height", bench.session.height},
+            {"first_s", bench.plan.first_seconds},
             {"step_s", bench.plan.step_seconds},
             {"duration_s", bench.duration},
             {"frames", frame.samples},

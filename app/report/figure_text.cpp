@@ -5,6 +5,7 @@
 #include <version.h>
 
 #include "app/report/json_values.h"
+#include "app/scenes.h"
 #include "app/tracer_choices.h"
 #include "renderer/trace/walk_choices.h"
 #include "viz/numbers.h"
@@ -19,11 +20,12 @@ std::string changed(const char* name, const Value& value, const Value& otherwise
     return value == otherwise ? "" : fmt::format(", {} {}", name, value);
 }
 
-std::string tree_text(const BuildConfig& b) {
+std::string tree_text(const BuildConfig& b, bool refitted) {
     const BuildConfig start;
     const Builder* builder = find_builder(b.builder);
-    return fmt::format("{} tree (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{}{}{})", b.builder, b.traversal_cost,
-                       b.intersection_cost, b.empty_bonus, b.empty_bonus_gate, b.leaf_size,
+    return fmt::format("{} tree{} (t_t {}, t_i {}, b_e {} gate {}, leaf {}{}{}{}{}{}{}{}{})", b.builder,
+                       refitted ? " of time 0, refitted" : "", b.traversal_cost, b.intersection_cost, b.empty_bonus,
+                       b.empty_bonus_gate, b.leaf_size,
                        builder && builder->has_bins ? fmt::format(", {} bins", b.bins) : "",
                        b.trim_leaves ? "" : ", box leaves", changed("max depth", b.max_depth, start.max_depth),
                        changed("empty parts cut off from", b.empty_cut, start.empty_cut),
@@ -60,10 +62,9 @@ std::string nodes_text(const TraceConfig& trace) {
     return nodes == NodeEncoding::float4 ? "" : fmt::format(", nodes of {} bytes", bytes_of(nodes));
 }
 
-std::string tracer_text(const FigureFacts& f) {
-    const bool packets = f.tracer == TracerKind::cpu_packet && why_idle(WalkChoice::packet, f.trace).empty();
-    return fmt::format("{}{} on {}{}", name_of(f.tracer), packets ? fmt::format(" of {}", f.trace.packet_size) : "",
-                       f.renderer, f.software_gl ? " (software, not a GPU)" : "");
+std::string machine_text(const FigureFacts& f) {
+    return fmt::format("{} on {}{}", tracer_text(f.tracer, f.trace), f.renderer,
+                       f.software_gl ? " (software, not a GPU)" : "");
 }
 
 std::string time_text(const FigureFacts& f) {
@@ -108,9 +109,10 @@ std::string samples_text(int samples) {
 std::string caption_of(const FigureFacts& f) {
     return fmt::format(
         "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
-        f.scene, number_text(double(f.triangles)), f.triangles == 1 ? "" : "s", tree_text(f.build), walk_text(f.trace),
-        info(rules_in_force(f.trace)).name, leaf_lists_text(f), nodes_text(f.trace), samples_text(f.samples),
-        differences(f), tracer_text(f), f.width, f.height, time_text(f), build::version);
+        scene_text(f.scene, f.time, f.duration), number_text(double(f.triangles)), f.triangles == 1 ? "" : "s",
+        tree_text(f.build, f.refitted), walk_text(f.trace), info(rules_in_force(f.trace)).name, leaf_lists_text(f),
+        nodes_text(f.trace), samples_text(f.samples), differences(f), machine_text(f), f.width, f.height, time_text(f),
+        build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

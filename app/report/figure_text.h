@@ -12,8 +12,10 @@ namespace kd {
 /// How the frame of a figure came about.
 struct FigureFacts {
     std::string scene;
+    double time = 0, duration = 0;  // seconds of its motion; 0 where it does not move
     std::size_t triangles = 0;
     BuildConfig build;
+    bool refitted = false;  // the tree has the planes of the one at time 0
     TraceConfig trace;
     EarlyZ early_z = EarlyZ::working;
     std::optional<Camera> camera;  // the scene's own where absent; in scene units

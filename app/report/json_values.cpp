@@ -25,7 +25,7 @@ class FieldWriter {
     void point(const char* key, Vec3 value) { json[key] = json_of(value); }
     template <class T>
     void number(const char* key, T value, const Limits<T>&) {
-        if constexpr (std::is_floating_point_v<T>)
+        if constexpr (std::is_same_v<T, float>)
             json[key] = json_number(value);
         else
             json[key] = value;
@@ -35,6 +35,7 @@ class FieldWriter {
         json[key] = name_among(choices, value);
     }
     void node_bytes(const char* key, NodeEncoding value) { json[key] = bytes_of(value); }
+    void packet_rays(const char* key, int value) { json[key] = value; }
     void set(const char* key, FeatureSet value, const std::vector<NamedValue<Feature>>& choices) {
         json[key] = Json::array();
         for (const auto& [name, feature] : choices)
@@ -119,6 +120,8 @@ Json json_of(const FlatScene& scene) {
               {"materials", scene.materials.size()},
               {"textures", scene.textures.size()},
               {"lights", scene.lights.size()},
+              {"duration", scene.duration},
+              {"time", scene.time},
               {"notes", scene.notes}};
     json["bounds"] = scene.bounds.empty() ? Json(nullptr)
                                           : Json{{"lower", json_of(to_scene_units(scene, scene.bounds.lower))},

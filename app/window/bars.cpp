@@ -9,6 +9,7 @@
 #include "app/choices.h"
 #include "app/panels/panel.h"
 #include "app/report/machine_info.h"
+#include "app/tracer_choices.h"
 #include "app/window/places.h"
 #include "app/window/recent_files.h"
 #include "app/window/theme.h"
@@ -113,8 +114,8 @@ void draw_badge(const EngineState& state, Edit& edit) {
     const char* machine = cpu ? "CPU" : state.gl.software ? "GPU (software)" : "GPU";
     const TracerKind tracer = state.session.tracer;
     const bool usual = tracer == TracerKind::cpu || tracer == TracerKind::gl_fragment;
-    std::string what = fmt::format("{}{} · {}", machine, usual ? "" : fmt::format(" · {}", name_of(tracer)),
-                                   info(trace.traversal).name);
+    std::string what =
+        fmt::format("{}{} · {}", machine, usual ? "" : " · " + tracer_text(tracer, trace), info(trace.traversal).name);
     if (const Rules rules = rules_in_force(trace); rules != Rules::robust)
         what += fmt::format(" · {}", info(rules).name);
     const float help = ImGui::CalcTextSize("?").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -151,10 +152,22 @@ void draw_compiling(const EngineState& state) {
     Places::note("compiling");
 }
 
+void draw_cancel(Edit& edit) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
+    Places::note("cancel");
+    widgets::hint("Keeps the tree that is shown.");
+}
+
 /// The bar of the work that takes longest now.
 void draw_work(const EngineState& state, Edit& edit) {
     const bool building = state.building.active;
-    const bool tracing = state.tracing.active;
+    const bool tracing = state.tracing.active && !state.motion.playing;  // else bars would flicker
+    if (state.motion.posing && !building && !tracing) {
+        ImGui::SameLine(0, theme::px(16));
+        ImGui::TextUnformatted("posing");
+        return draw_cancel(edit);
+    }
     if (!building && !tracing && !state.judging.active) return;
     const Progress& work = building ? state.building : tracing ? state.tracing : state.judging;
     const char* beside = needs_walks(state.session.view) ? "walking" : "comparing";
@@ -163,11 +176,7 @@ void draw_work(const EngineState& state, Edit& edit) {
     ImGui::SetNextItemWidth(theme::px(150));
     ImGui::ProgressBar(work.fraction, {theme::px(150), ImGui::GetTextLineHeight() + theme::px(2)},
                        fmt::format("{} {:.0f} %", name, 100 * work.fraction).c_str());
-    if (!building) return;
-    ImGui::SameLine();
-    if (ImGui::SmallButton("cancel")) edit.do_once(Action::cancel_build);
-    Places::note("cancel");
-    widgets::hint("Keeps the tree that is shown.");
+    if (building) draw_cancel(edit);
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 #include "app/report/figure_text.h"
 #include "app/report/frame_summary.h"
 #include "app/report/machine_info.h"
+#include "app/scenes.h"
 #include "app/session_file.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
 #include "renderer/io/png.h"
 #include "renderer/io/tables.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -26,8 +28,11 @@ std::string renderer_of(const EngineState& state) {
 FigureFacts facts_of(const EngineState& state) {
     const TracedFrame& traced = state.picture->traced;
     return {.scene = traced.world->loaded->name,
+            .time = traced.world->scene().time,
+            .duration = traced.world->scene().duration,
             .triangles = traced.world->scene().triangles.size(),
             .build = traced.world->built_with,
+            .refitted = traced.world->refitted,
             .trace = traced.config,
             .early_z = state.session.early_z,
             .camera = in_scene_units(state.session, traced.world->scene()).camera,
@@ -43,7 +48,9 @@ FigureFacts facts_of(const EngineState& state) {
 }
 
 std::string title_of(const EngineState& state) {
-    return title_of(state.picture->traced.world->loaded->name, state.picture->view);
+    const FlatScene& scene = state.picture->traced.world->scene();
+    const std::string name = state.picture->traced.world->loaded->name;
+    return title_of(scene_text(name, scene.time, scene.duration), state.picture->view);
 }
 
 PngText png_text(const EngineState& state) {
@@ -54,7 +61,7 @@ PngText png_text(const EngineState& state) {
 /// InputError while a scene is awaited: the units of its camera are not known yet.
 fs::path save_session(const EngineState& state, const fs::path& folder) {
     const LoadedScene& loaded = *state.world->loaded;
-    if (loaded.name != state.session.scene || loaded.seed != state.session.seed)
+    if (!asks_for(state.session, loaded))
         throw InputError("session: its scene is still being loaded; wait until it is there");
     const fs::path path = next_file(folder, session_extension);
     write_session(path, in_scene_units(state.session, loaded.flat));
@@ -111,7 +118,8 @@ fs::path export_file(Action what, const EngineState& state, const fs::path& fold
     const fs::path path = next_file(folder, what == Action::export_csv    ? ".csv"
                                             : what == Action::export_json ? ".json"
                                                                           : ".png");
-    if (what == Action::export_csv) write_file(path, frame_csv(*traced.frame, progress));
+    if (what == Action::export_csv)
+        write_file(path, csv_comments(machine_of(state).lines()) + frame_csv(*traced.frame, progress));
     if (what == Action::export_json) write_file(path, json_text(summary_json(state, machine_of(state))));
     if (table) return path;
     const bool bare = what == Action::export_picture;

@@ -98,10 +98,10 @@ void draw_help(Edit& edit) {
     ImGui::Columns(2, "keys", false);
     ImGui::SetColumnWidth(0, theme::px(290));
     draw_keys(0, 1);
-    draw_keys(3, 99);
+    draw_keys(4, 99);
     ImGui::NextColumn();
     draw_gestures();
-    draw_keys(2, 2);
+    draw_keys(2, 3);
     ImGui::Columns(1);
     ImGui::Dummy({0, theme::px(8)});
     draw_text_scale(edit);

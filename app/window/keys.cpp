@@ -46,6 +46,7 @@ using State = const EngineState&;
 constexpr const char* see = "See";
 constexpr const char* change = "Change";
 constexpr const char* pixel = "Pixel and camera";
+constexpr const char* motion = "Motion";
 constexpr const char* window = "Window";
 
 constexpr KeyBinding table[] = {
@@ -113,6 +114,14 @@ constexpr KeyBinding table[] = {
      [](State, Edit& e) { e.do_once(Action::copy_camera); }},
     {GLFW_KEY_V, GLFW_MOD_CONTROL, "Ctrl V", pixel, "paste a camera",
      [](State, Edit& e) { e.do_once(Action::paste_camera); }},
+
+    {GLFW_KEY_M, GLFW_MOD_SHIFT, "Shift M", motion, "MOTION, or times",
+     [](State, Edit& e) { edits::switch_bottom(e, motion_panel); }},
+    {GLFW_KEY_SPACE, plain, "Space", motion, "play, or stop", [](State s, Edit& e) { edits::toggle_playing(s, e); }},
+    {GLFW_KEY_PERIOD, GLFW_MOD_SHIFT, "Shift .", motion, "one frame on",
+     [](State s, Edit& e) { edits::step_motion(s, e, 1); }},
+    {GLFW_KEY_COMMA, GLFW_MOD_SHIFT, "Shift ,", motion, "one frame back",
+     [](State s, Edit& e) { edits::step_motion(s, e, -1); }},
 
     {GLFW_KEY_U, plain, "U", window, "panels on or off", [](State, Edit& e) { e.window.panels = !e.window.panels; }},
     {GLFW_KEY_F12, plain, "F12", window, "save a figure (PNG)",

@@ -207,6 +207,20 @@ Json nodes_json(const EngineState& state, const NodesView& wish) {
     return json;
 }
 
+/// What MOTION shows.
+Json motion_json(const EngineState& state, const Edit& edit) {
+    const MotionState& motion = state.motion;
+    const World& shown = *state.picture->traced.world;
+    return {{"playing", motion.playing},
+            {"time", shown.scene().time},
+            {"duration", shown.scene().duration},
+            {"refitted", shown.refitted},
+            {"played", motion.played},
+            {"frames", motion.recent.frames.size()},
+            {"schedule", frame_schedule_names[std::size_t(edit.window.motion.schedule)]},
+            {"frame_ms", summarise(motion.stats[std::size_t(edit.window.motion.schedule)].frame_ms).median_ms}};
+}
+
 /// Settings, tree, counter totals, hovered and pinned pixel, and where the controls are.
 Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& picture) {
     Json json = summary_json(state);
@@ -250,6 +264,7 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
                          {"counted", state.picture->cells->meaning.summary.count}};
     json["paper"] = json_of(state.paper, edit.window.paper);
     json["convergence"] = json_of(state.convergence);
+    json["motion"] = motion_json(state, edit);
     json["messages"] = messages_json(state);
     json["needs"] = json_of(state.needs);
     json["compiled"] = state.compiled;
@@ -262,7 +277,8 @@ Json whole_state(const EngineState& state, const Edit& edit, const Rectangle& pi
 void StateFile::update(const EngineState& state, const Edit& edit, const Rectangle& picture, const Places& places,
                        const InputCounts& inputs) {
     const bool building = state.building.active;
-    if (path_.empty() || (!building && (state.stale() || state.working()))) return;
+    const bool plays = state.motion.playing && state.picture;
+    if (path_.empty() || (!building && !plays && (state.stale() || state.working()))) return;
     Json json = building ? Json::object() : whole_state(state, edit, picture);
     json["building"] = building;
     json["inputs"] = inputs;

@@ -89,7 +89,8 @@ bool WindowLoop::resting() const { return lively_frames_ <= 0; }
 
 void WindowLoop::wait() const {
     const EngineState& state = engine_->state();
-    const bool working = state.working() || state.stale() || state.stability.active || edit_.exporting.active;
+    const bool working =
+        state.working() || state.stale() || state.motion.playing || state.stability.active || edit_.exporting.active;
     if (window_.hidden()) return glfwWaitEventsTimeout(resting_wait_s);
     glfwWaitEventsTimeout(!resting() ? lively_wait_s : working ? working_wait_s : resting_wait_s);
 }
@@ -260,6 +261,8 @@ void WindowLoop::apply_keys() {
 
 void WindowLoop::apply_edit() {
     engine_->set_session(edit_.session);
+    engine_->play(edit_.window.motion);
+    edits::settle_motion(engine_->state(), edit_);
     if (!edit_.window.pinned) edit_.window.step.reset();
     engine_->select_triangle(edit_.window.triangle);
     engine_->set_probes(edit_.hovered, edit_.window.pinned, edit_.window.step);
@@ -270,7 +273,7 @@ void WindowLoop::apply_edit() {
     engine_->keep_widths(shows(edit_, divergence_panel));
     engine_->keep_visits(shows(edit_, predicted_panel) || shows(edit_, nodes_panel));
     if (const auto& world = engine_->state().world; world && world != recent_world_) {
-        if (recent_world_ && recent_world_->loaded != world->loaded) edits::release(edit_);
+        if (recent_world_ && !same_scene(*recent_world_->loaded, *world->loaded)) edits::release(edit_);
         recent_world_ = world;
         add_recent(edit_.window.recent_files, world->loaded->name);
     }
@@ -322,6 +325,8 @@ void WindowLoop::paste_camera() {
 
 /// Once it is read nothing more is to be done about what was typed; of its scene a message tells.
 void WindowLoop::open_session() {
+    edit_.window.motion.playing = false;  // it is of one time
+    engine_->play(edit_.window.motion);
     engine_->open_session(edit_.session_file);
     const EngineState& state = engine_->state();
     lively_frames_ = frames_after_input;

@@ -39,17 +39,19 @@ const ProceduralScene* find_procedural(std::string_view name) {
     return entry == procedural_scenes().end() ? nullptr : &*entry;
 }
 
+int size_of(const ProceduralScene& entry, std::string_view name) {
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos) return entry.default_size;
+    if (entry.default_size == 0)
+        throw InputError(fmt::format("{}: this scene takes no size; try {}", name, entry.name));
+    return parse_size(name, name.substr(colon + 1), entry);
+}
+
 std::optional<Scene> make_procedural(std::string_view name, unsigned seed) {
     const ProceduralScene* entry = find_procedural(name);
     if (!entry) return std::nullopt;
 
-    const std::size_t colon = name.find(':');
-    int size = entry->default_size;
-    if (colon != std::string_view::npos) {
-        if (entry->default_size == 0)
-            throw InputError(fmt::format("{}: this scene takes no size; try {}", name, entry->name));
-        size = parse_size(name, name.substr(colon + 1), *entry);
-    }
+    const int size = size_of(*entry, name);
     Scene scene = entry->make(size, seed);
     scene.name = entry->default_size == 0 ? std::string(entry->name) : fmt::format("{}:{}", entry->name, size);
     return scene;

@@ -27,6 +27,9 @@ struct ProceduralScene {
 /// The entry that `name` ("ball:9000") belongs to by what stands before ':'; null where there is none.
 [[nodiscard]] const ProceduralScene* find_procedural(std::string_view name);
 
+/// The size that `name` ("ball:9000") asks this scene for; 0 where it takes none. InputError as make_procedural().
+[[nodiscard]] int size_of(const ProceduralScene& entry, std::string_view name);
+
 /// The scene called `name` ("ball:9000"); nothing where the name before ':' is not procedural.
 /// Throws InputError for a size that is missing, not a number or out of range.
 [[nodiscard]] std::optional<Scene> make_procedural(std::string_view name, unsigned seed = 1);

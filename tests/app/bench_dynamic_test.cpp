@@ -66,6 +66,20 @@ TEST(BenchDynamic, OneRowByOneTracer) {
     }
 }
 
+TEST(BenchDynamic, TimeIsThatOfFrameZero) {
+    const auto first_cost = [](const char* time) {
+        const auto outcome = run_kdscope(
+            small({"--schedule", "serial", "--rebuild", "binned", "--builder", "binned", "--time", time, "--json"}));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const json row = json::parse(outcome.out)[0];
+        EXPECT_EQ(row["first_s"], std::stod(time));
+        EXPECT_EQ(row["quality"]["seconds"][0], std::stod(time));
+        return row["quality"]["sah_cost"][0].get<double>();
+    };
+    EXPECT_NE(first_cost("0"), first_cost("1.5"));
+    EXPECT_EQ(first_cost("0"), first_cost("8"));
+}
+
 TEST(BenchDynamic, TheTableAndTheChart) {
     const test::TestFolder folder;
     const auto outcome = run_kdscope(small({"--svg", folder.file("gantt.svg")}));

@@ -82,10 +82,27 @@ TEST(C05, Depths) {
                     {{"--overlay-depth", "1000"}, {"--overlay-depth", "'1000'"}}});
 }
 
+TEST(CliBench, ListsOfScenesAreCheckedBeforeAnyWork) {
+    for (const char* bad : {"no-such-scene.gltf", "ball:many", "cornell:3", "stress:T999", "/"})
+        for (const std::vector<std::string>& how : {std::vector<std::string>{}, {"--peers"}, {"--dynamic"}}) {
+            std::vector<std::string> words{"bench", "sheet:200", bad, "--size", "8x8", "--rounds", "1"};
+            words.insert(words.end(), how.begin(), how.end());
+            const auto outcome = run_kdscope(words);
+            EXPECT_EQ(outcome.code, 2) << bad;
+            EXPECT_EQ(outcome.out, "") << bad;
+            const std::string_view what(bad);  // a case is named without "stress:"
+            EXPECT_NE(outcome.err.find(what.substr(what.find(':') + 1)), std::string::npos) << outcome.err;
+        }
+}
+
 TEST(CliNumbers, OutOfRangeOrNone) {
     expect_refused({{{"--threads", "-1"}, {"--threads", "'-1'", "whole number"}},
                     {{"--threads", "2.5"}, {"--threads", "'2.5'", "whole number"}},
                     {{"--seed", "4294967296"}, {"--seed", "'4294967296'"}},
+                    {{"--time", "nan"}, {"--time", "'nan'", "a finite number"}},
+                    {{"--time", "inf"}, {"--time", "'inf'", "a finite number"}},
+                    {{"--time", "1e999"}, {"--time", "'1e999'", "a finite number"}},
+                    {{"--time", "1s"}, {"--time", "'1s'", "a finite number"}},
                     {{"--min-contribution", "nan"}, {"--min-contribution", "'nan'", "0 to 1"}},
                     {{"--opacity", "1.5"}, {"--opacity", "'1.5'", "0 to 1"}},
                     {{"--range", "3:1"}, {"--range", "'3:1'", "LOW:HIGH"}},

@@ -36,6 +36,15 @@ TEST(FigureText, CaptionNamesAllThatWasChosenAndWhatItTook) {
     EXPECT_NE(other.find("12.3 ms; kdscope"), std::string::npos) << other;
 }
 
+TEST(FigureText, CaptionSaysWhereInItsMotionASceneIs) {
+    FigureFacts facts;
+    facts.scene = "sheet:20000";
+    facts.duration = 4.0;
+    EXPECT_TRUE(caption_of(facts).starts_with("sheet:20000, ")) << "at 0 it is the scene of that name";
+    facts.time = 0.5;
+    EXPECT_TRUE(caption_of(facts).starts_with("sheet:20000 at 0.5 s of 4 s, ")) << caption_of(facts);
+}
+
 TEST(FigureText, CaptionNamesWhatDiffersFromTheDefault) {
     FigureFacts facts;
     EXPECT_NE(caption_of(facts).find("leaf lists of references, defaults elsewhere;"), std::string::npos);

@@ -76,6 +76,8 @@ TEST(IdleOptions, WhatDoesNoHarmIsNoted) {
     EXPECT_NE(notes({"--count-shaded"}).find("--count-shaded has no effect"), std::string::npos);
     EXPECT_NE(notes({"--context", "egl"}).find("--context has no effect"), std::string::npos);
     EXPECT_NE(notes({"--seed", "4"}).find("nothing in cornell is random"), std::string::npos);
+    EXPECT_EQ(notes({"--time", "1.5"}), "kdscope: note: --time has no effect: nothing in cornell moves\n");
+    EXPECT_EQ(notes({"--time", "0"}), "");
     EXPECT_NE(notes({"--no-legend"}).find("--no-legend has no effect"), std::string::npos);
     EXPECT_NE(notes({"--bins", "16"}).find("--builder binned"), std::string::npos);
     EXPECT_EQ(notes({"--bins", "16", "--builder", "binned"}), "");

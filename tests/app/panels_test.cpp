@@ -101,6 +101,28 @@ TEST_F(Panels, SwitchesOfWhatTheSceneLacksAreGreyedOut) {
     EXPECT_TRUE(edit.session.trace.shadows);
 }
 
+TEST_F(Panels, MotionIsPlayedWhereSomethingMoves) {
+    show("cornell");
+    const auto ui = draw(motion_panel, 900);
+    EXPECT_FALSE(ui->sees("play"));
+    show("sheet:200");
+    ui->frames(2);
+    ui->click_on("play");
+    EXPECT_TRUE(edit.window.motion.playing);
+    EXPECT_TRUE(ui->sees("stop"));
+    ui->click_on("time", 0.5f);
+    EXPECT_NEAR(edit.session.time, 2, 0.1) << "of 4 s";
+    EXPECT_FALSE(edit.window.motion.playing) << "who seeks looks at one pose";
+    ui->click_on(">");
+    EXPECT_NEAR(edit.session.time, 2, 0.2);
+    ui->click_on("rebuild");
+    ui->click_on("rebuild/refit");
+    EXPECT_TRUE(edit.window.motion.refit);
+    ui->click_on("schedule");
+    ui->click_on("schedule/on-demand");
+    EXPECT_EQ(edit.window.motion.schedule, FrameSchedule::on_demand);
+}
+
 TEST_F(Panels, TexturesAreARowWhereThereAreSome) {
     show("scatter:60");
     const auto ui = draw("SCENE");

@@ -2,6 +2,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -239,6 +240,18 @@ TEST(SessionFile, S07_AChangedModelIsNotNoticed) {
 
 TEST(SessionFile, S08_AWrongTypeIsRefused) {
     expect_refused(TestFolder(), settings(R"("seed": "1")"), {R"(/settings/seed: "1" is not a whole number)"});
+}
+
+TEST(SessionFile, PacketsAreNumbersAndWereTexts) {
+    const TestFolder folder;
+    for (const char* size : {"8", R"("8")"}) {
+        write_file(folder.file("a.json"), settings(fmt::format(R"("packet_size": {})", size)));
+        const Session session = read_session(folder.file("a.json"));
+        EXPECT_EQ(session.trace.packet_size, 8);
+        write_session(folder.file("b.json"), session);
+        EXPECT_NE(read_file(folder.file("b.json")).find("\"packet_size\": 8"), std::string::npos);
+    }
+    expect_refused(folder, settings(R"("packet_size": 5)"), {"packet_size: 5 is not 4, 8 or 16"});
 }
 
 TEST(SessionFile, S09_NumbersHaveAPointInEveryLocale) {

@@ -10,12 +10,13 @@ namespace kd::test {
 /// does not compile here until it has its place in a list.
 inline Session unlike_the_default() {
     Session session;
-    auto& [scene, seed, build, trace, tracer, early_z, camera, view, width, height, threads, samples, sample_error] =
-        session;
+    auto& [scene, seed, time, build, trace, tracer, early_z, camera, view, width, height, threads, samples,
+           sample_error] = session;
     samples = 1 << 20;
     sample_error = 0.01f;
     scene = "rooms";
     seed = 4294967295u;
+    time = -0.1;
     auto& [builder, traversal_cost, intersection_cost, empty_bonus, gate, empty_cut, leaf_size, leaf_block, max_depth,
            bad_refines, reference_cap, bins, trim_leaves, by_hand] = build;
     builder = "binned";

@@ -69,6 +69,18 @@ clean gpu-bench/gpu-bench out --rays 5 2>/dev/null || status=$?
 status=0
 "$KD_SOURCE_DIR/tools/gpu-bench" pack x.tar.xz /nowhere 2>said.txt || status=$?
 grep -q 'no program /nowhere' said.txt && ((status == 1)) || fail "a missing program is told"
+while IFS='|' read -r words reason; do
+    status=0
+    # shellcheck disable=SC2086 # words
+    "$KD_SOURCE_DIR/tools/gpu-bench" $words 2>said.txt || status=$?
+    head -1 said.txt | grep -qF "gpu-bench: $reason" && ((status == 2)) || fail "gpu-bench $words: $status, $(cat said.txt)"
+done <<'USAGE'
+|say what to do
+pak x.tar.xz|'pak' is unknown
+pack|pack takes an archive
+over rsh there out|over goes by ssh alone
+over ssh there|over ssh takes a host and a folder
+USAGE
 # Over ssh: the same, there and back. A stand-in runs on this machine what it is asked to run on another.
 mkdir -p ../stand_in
 printf '#!/usr/bin/env bash\nshift\nexec bash -c "$*"\n' >../stand_in/ssh

@@ -52,6 +52,34 @@ GltfBuilder skinned() {
     return builder;
 }
 
+/// A node, a morph target and a joint that move, each by another interpolation.
+GltfBuilder animated() {
+    GltfBuilder builder = one_triangle();
+    json& gltf = builder.json;
+    json& primitive = gltf["meshes"][0]["primitives"][0];
+    primitive["targets"] = {{{"POSITION", 0}}};
+    primitive["attributes"]["JOINTS_0"] = builder.add_accessor(std::vector<std::uint8_t>(12, 0), "VEC4", 5121, 3);
+    primitive["attributes"]["WEIGHTS_0"] = builder.add_accessor(std::vector<float>(12, 0.25f), "VEC4", 5126, 3);
+    gltf["skins"] = {{{"joints", {1}}}};
+    gltf["nodes"][0]["skin"] = 0;
+    gltf["nodes"].push_back({{"translation", {0, 1, 0}}});
+    gltf["scenes"][0]["nodes"].push_back(1);
+    const std::size_t times = builder.add_accessor(std::vector<float>{0, 1}, "SCALAR", 5126, 2);
+    const std::size_t weights = builder.add_accessor(std::vector<float>{0, 2}, "SCALAR", 5126, 2);
+    const std::size_t turns = builder.add_accessor(std::vector<float>{0, 0, 0, 1, 0, 1, 0, 0}, "VEC4", 5126, 2);
+    const std::size_t ways = builder.add_accessor(std::vector<float>(18, 0.5f), "VEC3", 5126, 6);
+    const auto channel = [](int sampler, int node, const char* path) {
+        return json{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}};
+    };
+    gltf["animations"] = {
+        {{"channels", {channel(0, 0, "weights"), channel(1, 1, "rotation"), channel(2, 1, "translation")}},
+         {"samplers",
+          {{{"input", times}, {"output", weights}, {"interpolation", "STEP"}},
+           {{"input", times}, {"output", turns}},
+           {{"input", times}, {"output", ways}, {"interpolation", "CUBICSPLINE"}}}}}};
+    return builder;
+}
+
 /// A JPEG on a glossy material, moved, clamped, and with a picture of roughness.
 GltfBuilder textured() {
     GltfBuilder builder = one_triangle();
@@ -100,6 +128,7 @@ Seeds gltf_seeds() {
             {"interleaved.glb", interleaved().glb()},
             {"quantized.glb", quantized().glb()},
             {"skinned.glb", skinned().glb()},
+            {"animated.glb", animated().glb()},
             {"textured.glb", textured().glb()},
             {"placed.glb", placed().glb()},
             {"empty.gltf", GltfBuilder().text()}};
@@ -118,6 +147,7 @@ Seeds session_seeds() {
     const auto text = [](const Session& session) { return session_text("seed.session.json", session); };
     Session placed;
     placed.scene = "models/engine.glb";
+    placed.time = -1.5;
     placed.camera = Camera{Vec3(1, -2, 0.1f), Vec3(0), Vec3(0, 0, 1), 45.5f};
     Session tuned;
     tuned.build.builder = "exact";

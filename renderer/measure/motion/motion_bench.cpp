@@ -55,7 +55,7 @@ class Bench {
     [[nodiscard]] TreeMaker& maker_of(std::size_t row) { return makers_[row / plan_.schedules.size()]; }
 
     Frame first_frame() {
-        const FlatScene scene = scene_.at(0.0);
+        const FlatScene scene = scene_.at(plan_.first_seconds);
         const KdTree tree = makers_.front().make(scene.triangles, stop_);
         tracing_.upload(scene, tree);
         (void)tracing_.trace(scene, stop_);
@@ -78,7 +78,7 @@ class Bench {
         const int warmup = std::max(plan_.warmup, 1);
         const PipelinePlan pipeline{.schedule = row.schedule,
                                     .frames = warmup + last - first,
-                                    .first_seconds = (first - warmup) * plan_.step_seconds,
+                                    .first_seconds = plan_.first_seconds + (first - warmup) * plan_.step_seconds,
                                     .step_seconds = plan_.step_seconds};
         const std::string name = fmt::format("{}, {}", frame_schedule_names[std::size_t(row.schedule)], row.way);
         const double rows = double(bench_.rows.size()) * plan_.rounds;
@@ -97,8 +97,8 @@ class Bench {
     void look_at_trees(TreeMaker& maker) {
         WayQuality quality{.way = maker.way()};
         for (int i = 0; i < plan_.quality_samples && !stop_.stop_requested(); ++i) {
-            const double seconds =
-                plan_.step_seconds * double(plan_.frames - 1) * i / std::max(plan_.quality_samples - 1, 1);
+            const double seconds = plan_.first_seconds + plan_.step_seconds * double(plan_.frames - 1) * i /
+                                                             std::max(plan_.quality_samples - 1, 1);
             const std::vector<Triangle> triangles = scene_.at(seconds).triangles;
             const auto cost = [&](const KdTree& tree) {
                 return tree_stats(tree, triangles.size(), plan_.build).sah_cost;

@@ -31,7 +31,8 @@ struct MotionBenchPlan {
     int frames = 60;                                            // timed of each row
     int rounds = 6;                                             // that these are dealt to, rows in turn; at most frames
     int warmup = 3;                                             // frames before each round's, at least 1
-    double step_seconds = 1.0 / 30;                             // of the motion, from frame to frame
+    double first_seconds = 0;                                   // of the motion: frame 0's
+    double step_seconds = 1.0 / 30;                             // from frame to frame
     int quality_samples = 5;                                    // frames whose trees are looked at, untimed
 };
 

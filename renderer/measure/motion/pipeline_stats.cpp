@@ -49,18 +49,19 @@ void PipelineStats::add(const PipelineStats& other) {
     seconds = all;
 }
 
-PipelineStats pipeline_stats(const PipelineRun& run, int warmup) {
+PipelineStats pipeline_stats(const PipelineRun& run, int warmup, int tail) {
     PipelineStats stats;
     const std::size_t first = std::size_t(std::max(warmup, 1));
-    if (run.frames.size() <= first) return stats;
-    for (std::size_t n = first; n < run.frames.size(); ++n) {
+    if (run.frames.size() <= first + std::size_t(tail)) return stats;
+    const std::size_t end = run.frames.size() - std::size_t(tail);
+    for (std::size_t n = first; n < end; ++n) {
         const FrameSteps& frame = run.frames[n];
         stats.frame_ms.push_back(1e3 * (frame[FrameStep::trace].end - run.frames[n - 1][FrameStep::trace].end));
         stats.latency_ms.push_back(1e3 * (frame[FrameStep::trace].end - frame[FrameStep::update].begin));
         for (std::size_t step = 0; step < frame.of.size(); ++step)
             stats.step_ms[step].push_back(1e3 * frame.of[step].seconds());
     }
-    const StepInterval window{run.frames[first - 1][FrameStep::trace].end, run.frames.back()[FrameStep::trace].end};
+    const StepInterval window{run.frames[first - 1][FrameStep::trace].end, run.frames[end - 1][FrameStep::trace].end};
     const auto building = busy(run, {FrameStep::update, FrameStep::build}, window);
     const auto tracing = busy(run, {FrameStep::upload, FrameStep::trace}, window);
     stats.seconds = window.seconds();

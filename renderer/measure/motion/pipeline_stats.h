@@ -19,7 +19,8 @@ struct PipelineStats {
     void add(const PipelineStats& other);
 };
 
-/// Of the frames from number `warmup` on, at least 1: the first has no frame before it.
-[[nodiscard]] PipelineStats pipeline_stats(const PipelineRun& run, int warmup);
+/// Of the frames from number `warmup` on, at least 1: the first has no frame before it. Where a run goes on, the last
+/// `tail` frames only tell what the building side did while those before them were traced.
+[[nodiscard]] PipelineStats pipeline_stats(const PipelineRun& run, int warmup, int tail = 0);
 
 }  // namespace kd

@@ -16,15 +16,20 @@ TreeMaker::TreeMaker(std::string way, const BuildConfig& config, std::span<const
     }
 }
 
-KdTree TreeMaker::make(std::span<const Triangle> triangles, const std::stop_token& stop) {
+KdTree TreeMaker::make(std::span<const Triangle> triangles, const std::stop_token& stop, BuildReport* report) {
     if (way_ == refit_way) {
-        RefitReport report;
-        if (auto tree = refit_tree(first_, first_triangles_, triangles, config_, {}, &report, stop, threads_))
+        RefitReport refit;
+        if (auto tree = refit_tree(first_, first_triangles_, triangles, config_, {}, &refit, stop, threads_)) {
+            if (report) {
+                *report = {};
+                report->seconds = refit.seconds;
+            }
             return *std::move(tree);
+        }
         ++refused_;
-        why_refused_ = std::move(report.why_none);
+        why_refused_ = std::move(refit.why_none);
     }
-    return build_tree(triangles, config_, nullptr, {}, stop, threads_);
+    return build_tree(triangles, config_, report, {}, stop, threads_);
 }
 
 }  // namespace kd

@@ -18,10 +18,14 @@ class TreeMaker {
     /// frames came before. InputError as build_tree().
     TreeMaker(std::string way, const BuildConfig& config, std::span<const Triangle> at_rest, int threads);
 
-    /// Where refitting is refused, the tree is built. Stopped early, it is not to be used.
-    [[nodiscard]] KdTree make(std::span<const Triangle> triangles, const std::stop_token& stop = {});
+    /// Where refitting is refused, the tree is built. Stopped early, it is not to be used. Of a tree that was refitted
+    /// `report` tells the time alone.
+    [[nodiscard]] KdTree make(std::span<const Triangle> triangles, const std::stop_token& stop = {},
+                              BuildReport* report = nullptr);
 
     [[nodiscard]] const std::string& way() const { return way_; }
+    /// Whose planes refitting keeps; empty where the way is a builder.
+    [[nodiscard]] const KdTree& first() const { return first_; }
     /// Trees that were built because refitting was refused, and why the last one was.
     [[nodiscard]] int refused() const { return refused_; }
     [[nodiscard]] const std::string& why_refused() const { return why_refused_; }
