@@ -39,6 +39,9 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
+/// How the first frame is traced, and the only one where light is not sampled.
+[[nodiscard]] TraceConfig first_sample(const Session& session);
+
 /// The session with its camera and its planes by hand in scene units, as people and files have them; here they are in
 /// the scene's internal ones.
 [[nodiscard]] Session in_scene_units(Session session, const FlatScene& scene);

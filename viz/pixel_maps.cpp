@@ -88,8 +88,7 @@ constexpr auto table = std::to_array<MapInfo>({
      .title = "rays traced",
      .unit = "rays",
      .kind = count,
-     .summary = "How many rays of this kind the pixel traced: shadow rays one for each light that faces the surface, and "
-                "as many times as light was sampled.",
+     .summary = "How many rays of this kind the pixel traced: one for each light, bounce and sample that needed one.",
      .of_pixel = [](const RayCounters& c, const Hit&) { return float(c.rays); }},
     {.name = "exit",
      .title = "why the ray ended",

@@ -58,6 +58,7 @@ Json json_of(const Rendering& r, const std::optional<NeedsReport>& needs) {
                          .left_out = r.left_out,
                          .judged = r.judged ? &*r.judged : nullptr,
                          .needs = needs ? std::optional(json_of(*needs)) : std::nullopt,
+                         .samples = r.samples,
                          .on = r.on});
 }
 
@@ -152,11 +153,13 @@ void check_uses(const CLI::App& app, const RenderOptions& o, const Session& sess
                           {"--tile", map->over_tiles(), no_groups(*map)},
                           {"--schedule", map->over_tiles(), no_groups(*map)}});
     }
-    const bool shadow = view.map.rays == Pass::shade_prim || view.map.rays == Pass::shade_refl;
-    const bool reflection = view.map.rays == Pass::rt_refl || view.map.rays == Pass::shade_refl;
-    refuse_idle(app, {{"--rays", session.trace.shadows || !shadow, "--no-shadows traces no such rays"},
-                      {"--rays", session.trace.reflection_depth > 0 || !reflection,
-                       "--reflection-depth 0 traces no such rays"}});
+    const Pass rays = view.map.rays;
+    const bool sampled = session.samples > 0 && session.trace.sampling.indirect;
+    refuse_idle(app,
+                {{"--rays", session.trace.shadows || !shades(rays), "--no-shadows traces no such rays"},
+                 {"--rays", session.trace.reflection_depth > 0 || !of_reflections(rays),
+                  "--reflection-depth 0 traces no such rays"},
+                 {"--rays", sampled || !of_indirect_light(rays), "only sampled light has such rays; add --samples N"}});
     note_idle(app, shared_uses(o, session, false), context);
     note_idle(app, {{"--no-legend", map || view.overlay.show, "a picture without map and splits has no legend"}},
               context);

@@ -19,7 +19,8 @@ bool has_pixels(const Session& session) {
 /// Whether two sessions that agree in scene and tree need different frames.
 bool same_frame(const Session& a, const Session& b) {
     return a.trace == b.trace && a.tracer == b.tracer && a.early_z == b.early_z && a.camera == b.camera &&
-           a.width == b.width && a.height == b.height && a.threads == b.threads;
+           a.width == b.width && a.height == b.height && a.threads == b.threads && a.samples == b.samples &&
+           a.sample_error == b.sample_error;
 }
 
 }  // namespace
@@ -41,6 +42,7 @@ Engine::Engine(const Session& start, EngineOptions options)
         say(true, "camera: its values cannot be used; the scene's own is shown");
     }
     state_.session.trace.counters = true;  // maps and read-outs live on them
+    state_.session.trace = first_sample(state_.session);
     state_.generation = trace_generation_ = 1;
     start_load();
 }
@@ -59,6 +61,7 @@ void Engine::set_session(const Session& wanted) {
     const Session before = state_.session;
     Session next = wanted;
     next.trace.counters = true;
+    next.trace = first_sample(next);
     if (next.camera && !is_valid(*next.camera)) next.camera = before.camera;
     if (!has_pixels(next)) {
         next.width = before.width;

@@ -18,6 +18,7 @@ std::optional<PixelReading> read_pixel(const Frame& frame, PixelPosition pixel, 
     const std::size_t i = frame.colour.index(x, y);
     PixelReading reading{pixel, scale, {}, {}};
     for (int p = 0; p < pass_count; ++p) {
+        if (!frame.holds(Pass(p))) continue;
         const RayLayer& layer = frame.layers[std::size_t(p)];
         reading.passes[std::size_t(p)] = {ray_traced(frame, Pass(p), i), layer.hit.pixels[i], layer.counters.pixels[i],
                                           in_scene_units(frame, layer.hit.pixels[i]).t};

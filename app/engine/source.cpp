@@ -34,6 +34,17 @@ class CpuSource final : public FrameSource {
         return time;
     }
 
+    FrameTime trace_tiles(const FrameTask& task, Frame& frame, std::span<const Tile> tiles,
+                          const std::stop_token& stop) override {
+        FrameTime time;
+        time.complete = prepare(task, frame.width, frame.height, stop);
+        if (!time.complete) return time;
+        time.total_ms = wall_ms([&] {
+            time.complete = tracer_->trace_tiles(task.config, task.camera, tiles, frame, task.threads, stop, {});
+        });
+        return time;
+    }
+
     void read(const FrameTask&, Frame&) override {}  // trace() wrote it there
     [[nodiscard]] std::string clock() const override { return "steady clock"; }
 
@@ -76,6 +87,12 @@ class GlSource final : public FrameSource {
         return drawer_.draw(tracer_, complete(task), task.camera, frame.width, frame.height, stop, progress);
     }
 
+    FrameTime trace_tiles(const FrameTask& task, Frame& frame, std::span<const Tile> tiles,
+                          const std::stop_token& stop) override {
+        prepare(task, frame.width, frame.height, stop);
+        return drawer_.draw_tiles(tracer_, complete(task), task.camera, frame.width, frame.height, tiles, stop, {});
+    }
+
     void wake(const FrameTask& task, const Frame& frame, const std::stop_token& stop) override {
         if (!context_.is_software())
             drawer_.wake(tracer_, complete(task), task.camera, frame.width, frame.height, stop);
@@ -90,7 +107,8 @@ class GlSource final : public FrameSource {
     static constexpr std::size_t most_compiled = 16;
 
     /// Programs stay: a configuration prepared again costs nothing, and its time is that of when it was new.
-    void note_compiled(const GlTraceConfig& config, double ms) {
+    void note_compiled(GlTraceConfig config, double ms) {
+        config.trace = at_first_sample(config.trace);
         auto known = std::ranges::find(compiled_, config, &Compiled::config);
         if (known == compiled_.end()) {
             if (compiled_.size() == most_compiled) compiled_.erase(compiled_.begin());

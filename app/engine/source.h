@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -39,6 +40,9 @@ class FrameSource {
     /// Traces a width x height frame, as far as `stop` lets it; keeps it to itself. `frame` may serve as its memory.
     virtual FrameTime trace(const FrameTask& task, Frame& frame, const std::stop_token& stop,
                             const std::function<void(float)>& progress) = 0;
+    /// The same of some tiles of the frame traced last; the others stay as they were.
+    virtual FrameTime trace_tiles(const FrameTask& task, Frame& frame, std::span<const Tile> tiles,
+                                  const std::stop_token& stop) = 0;
     /// Brings what trace() made into `frame`.
     virtual void read(const FrameTask& task, Frame& frame) = 0;
     [[nodiscard]] virtual std::string clock() const = 0;

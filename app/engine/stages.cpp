@@ -209,6 +209,7 @@ TraceRequest Engine::trace_request() const {
             .threads = s.threads,
             .early_z = s.early_z,
             .generation = current ? state_.generation : meantime_generation_,
+            .samples = {s.samples, s.sample_error},
             .moving = state_.motion.playing && !drags()};
 }
 

@@ -22,6 +22,7 @@
 #include "app/engine/widths.h"
 #include "app/engine/world.h"
 #include "app/frame/frame_time.h"
+#include "app/frame/sample_count.h"
 #include "app/session.h"
 #include "renderer/measure/needs_costs.h"
 #include "renderer/measure/walk_recorder.h"
@@ -53,6 +54,7 @@ struct TracedFrame {
     std::shared_ptr<const LockstepLayer> walks = {};  // of all pixels, where a map asked for it; else null
     /// Of the nodes of `world` by the rays of this frame, or of one before it; null where none were counted.
     std::shared_ptr<const NodeVisits> visits = {};
+    std::optional<SampleCount> samples = {};  // where light is sampled
     StepInterval upload = {}, trace = {};  // by the steady clock; the second to the frame's end, from the coarsest on
 };
 

@@ -147,26 +147,63 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
         });
         if (!time.complete) return;
         plan_.learn(with_reading, width * height);
-        publish({request.world,
-                 frame,
-                 {},
-                 request.camera,
-                 task.camera,
-                 request.config,
-                 request.tracer,
-                 scale,
-                 time,
-                 machine.clock(),
-                 needs,
-                 omitted,
-                 request.generation,
-                 count_unfinished(*frame),
-                 scale == 1 ? walk_totals(*frame) : std::array<CounterTotals, pass_count>{},
-                 {},
-                 {},
-                 upload,
-                 {upload.end, steady_seconds()}});
-        if (scale == 1 || request.moving || stop.stop_requested()) return;
+        const TracedFrame traced{request.world,
+                                 frame,
+                                 {},
+                                 request.camera,
+                                 task.camera,
+                                 request.config,
+                                 request.tracer,
+                                 scale,
+                                 time,
+                                 machine.clock(),
+                                 needs,
+                                 omitted,
+                                 request.generation,
+                                 count_unfinished(*frame),
+                                 scale == 1 ? walk_totals(*frame) : std::array<CounterTotals, pass_count>{},
+                                 {},
+                                 {},
+                                 request.samples.samples > 0 ? std::optional(SampleCount{1, 1.0}) : std::nullopt,
+                                 upload,
+                                 {upload.end, steady_seconds()}};
+        publish(traced);
+        if (request.moving || stop.stop_requested()) return;
+        if (scale == 1 && request.samples.samples > 1) add_samples(request, traced, stop, publish, progress);
+        if (scale == 1) return;
+    }
+}
+
+/// Goes on from the first sample of every pixel. What has been gathered is shown about four times a second.
+void Tracing::add_samples(const TraceRequest& request, TracedFrame shown, const std::stop_token& stop,
+                          const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress) {
+    constexpr std::chrono::milliseconds between_pictures(250);
+    FrameSource& machine = source(request.tracer);
+    FrameTask task = task_of(request);
+    Accumulator gathered(request.width, request.height);
+    gathered.add(*shown.frame, gathered.tiles());
+    std::vector<Tile> active = gathered.tiles();
+    const std::shared_ptr<Frame> sample = frames_.take(request.width, request.height);
+    auto published = std::chrono::steady_clock::now();
+    for (int number = 1; number < request.samples.samples && !active.empty(); ++number) {
+        task.config.sampling.sample = number;
+        const bool all = active.size() == gathered.tiles().size();
+        const FrameTime time =
+            all ? machine.trace(task, *sample, stop, {}) : machine.trace_tiles(task, *sample, active, stop);
+        if (!time.complete) return;
+        machine.read(task, *sample);
+        gathered.add(*sample, active);
+        active = gathered.active(request.samples.error);
+        progress(float(number + 1) / float(request.samples.samples));
+        const bool last = active.empty() || number + 1 == request.samples.samples;
+        const auto now = std::chrono::steady_clock::now();
+        if (!last && now - published < between_pictures) continue;
+        published = now;
+        shown.frame = std::make_shared<const Frame>(gathered.frame());
+        shown.samples = count_samples(gathered, request.samples);
+        shown.unfinished = count_unfinished(*shown.frame);
+        shown.totals = walk_totals(*shown.frame);
+        publish(shown);
     }
 }
 

@@ -29,8 +29,9 @@ struct TraceRequest {
     int threads = 0;
     EarlyZ early_z = EarlyZ::working;
     std::uint64_t generation = 0;
-    int duel_scale = 0;   // of the frames that a duel times; 0 = the program's choice
-    bool moving = false;  // another pose follows at once: one frame, as fine as time allows
+    SamplePlan samples{0, 0};  // of light; 0: it is not sampled
+    int duel_scale = 0;        // of the frames that a duel times; 0 = the program's choice
+    bool moving = false;       // another pose follows at once: one frame, as fine as time allows
 };
 
 /// A frame's colours and its time in ms.
@@ -68,6 +69,8 @@ class Tracing {
     FrameSource& source(TracerKind kind);
     void trace_levels(const TraceRequest& request, const std::stop_token& stop,
                       const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
+    void add_samples(const TraceRequest& request, TracedFrame shown, const std::stop_token& stop,
+                     const std::function<void(TracedFrame)>& publish, const std::function<void(float)>& progress);
     std::optional<DuelReply> duel_round(const TraceRequest& request, const std::stop_token& stop);
     void replace_context(const ContextLost& lost);
     void forget_speed_of_others(const TraceRequest& request);

@@ -29,8 +29,8 @@ void trace_picture(Rendering& r, FrameTracer& tracer, const PinholeCamera& camer
         r.frame = tracer.frame(s.trace);
         return;
     }
-    SampledFrame sampled = trace_samples(tracer, s.trace, camera, s.width, s.height,
-                                         {s.samples, s.sample_error, s.seed}, context.stop, progress);
+    SampledFrame sampled =
+        trace_samples(tracer, s.trace, camera, s.width, s.height, {s.samples, s.sample_error}, context.stop, progress);
     if (!sampled.time.complete) throw Interrupted();
     r.time = sampled.time;
     r.samples = sampled.count;
@@ -45,7 +45,7 @@ Rendering render(const CommonOptions& options, Session session, CommandContext& 
     ProgressLine progress(context);
     const auto show = [&](const char* what) { return [&progress, what](float done) { progress.show(done, what); }; };
     r.session = std::move(session);
-    if (r.session.samples > 0) r.session.trace.sampling.sample = 0;
+    r.session.trace = first_sample(r.session);
     r.scene = open_scene(options, r.session, context);
     r.session.camera = r.scene.camera;
     const Session& s = r.session;
@@ -115,7 +115,8 @@ FigureFacts facts_of(const Rendering& r) {
             .width = r.session.width,
             .height = r.session.height,
             .milliseconds = r.time.total_ms,
-            .clock = r.clock};
+            .clock = r.clock,
+            .samples = r.samples ? r.samples->samples : 0};
 }
 
 void write_picture(const std::string& path, const Rendering& r, const ViewConfig& view, bool legend, const Font& font) {

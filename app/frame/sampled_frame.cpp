@@ -27,7 +27,6 @@ SampledFrame trace_samples(FrameTracer& tracer, TraceConfig config, const Pinhol
                            const std::function<void(float)>& progress) {
     Accumulator gathered(width, height);
     SampledFrame result;
-    config.sampling.seed = plan.seed;
     std::vector<Tile> active = gathered.tiles();
     for (int sample = 0; sample < plan.samples && !active.empty() && result.time.complete; ++sample) {
         config.sampling.sample = sample;
@@ -42,9 +41,7 @@ SampledFrame trace_samples(FrameTracer& tracer, TraceConfig config, const Pinhol
         active = gathered.active(plan.error);
     }
     result.frame = gathered.frame();
-    const double pixels = double(width) * height;
-    result.count = {gathered.samples(), double(gathered.samples_drawn()) / pixels, gathered.error(),
-                    gathered.tiles().size(), plan.error > 0 ? gathered.tiles().size() - active.size() : 0};
+    result.count = count_samples(gathered, plan);
     return result;
 }
 

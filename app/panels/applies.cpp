@@ -9,14 +9,13 @@ std::string why_absent(const EngineState& state, const TraceConfig& trace, Featu
 }
 
 std::string why_no_pass(const EngineState& state, const TraceConfig& trace, Pass pass) {
-    const bool mirrored = pass == Pass::rt_refl || pass == Pass::shade_refl;
-    return mirrored ? why_absent(state, trace, Feature::reflections) : "";
+    if (of_reflections(pass)) return why_absent(state, trace, Feature::reflections);
+    return of_indirect_light(pass) ? why_absent(state, trace, Feature::indirect) : "";
 }
 
 std::string why_absent(const EngineState& state, const TraceConfig& trace, Pass rays) {
-    const bool shadow = rays == Pass::shade_prim || rays == Pass::shade_refl;
     std::string why = why_no_pass(state, trace, rays);
-    if (why.empty() && shadow) why = why_absent(state, trace, Feature::shadows);
+    if (why.empty() && shades(rays)) why = why_absent(state, trace, Feature::shadows);
     return why;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/choices.h"
 #include "app/panels/applies.h"
+#include "app/panels/light_rows.h"
 #include "app/panels/panel.h"
 #include "app/tracer_choices.h"
 #include "app/window/theme.h"
@@ -206,8 +207,9 @@ void draw_shaded(const EngineState& state, const Picture& picture) {
     for (std::size_t p = 0; p < pass_count; ++p) {
         if (!why_no_pass(state, picture.traced.config, Pass(p)).empty()) continue;
         const std::int64_t shaded = picture.traced.time.shaded_pixels[p];
-        widgets::value(pass_names[p].data(), shaded >= 0 ? number_text(double(shaded)) : "did not run",
-                       "Runs of this pass's shader, counted exactly. Bounces beyond the first add to the last two.");
+        widgets::value(
+            pass_names[p].data(), shaded >= 0 ? number_text(double(shaded)) : "did not run",
+            "Runs of this pass's shader, counted exactly. Bounces beyond the first add to those of reflections.");
     }
 }
 
@@ -227,12 +229,16 @@ void draw_passes_run(const TracedFrame& traced) {
     const bool cpu = runs_on_cpu(traced.tracer);
     std::string why = fmt::format(
         "{}Features that the {} does without for this scene and these settings: {}{}.",
-        passes ? "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects.\n\n" : "",
+        passes
+            ? "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects, RTIndirect "
+              "and ShadeIndirect where indirect light is sampled.\n\n"
+            : "",
         cpu ? "CPU" : "GPU", traced.left_out.size(),
         cpu ? "; what only the GPU's programs can leave out is not counted" : "");
     for (const std::string& line : traced.left_out) why += "\n" + line + ".";
     if (missing.empty()) missing = "nothing is left out";
-    widgets::note(passes ? fmt::format("{} passes; {}", needs.reflections ? 4 : 2, missing) : missing);
+    const int count = 2 + (needs.reflections ? 2 : 0) + (needs.indirect ? 2 : 0);
+    widgets::note(passes ? fmt::format("{} passes; {}", count, missing) : missing);
     widgets::hint(why);
 }
 
@@ -243,6 +249,7 @@ void draw_tracing_panel(const EngineState& state, Edit& edit) {
     draw_traversal(state, edit);
     draw_tracer(state, edit);
     draw_bounces(state, trace);
+    draw_light_rows(state, edit);
     if (state.picture) draw_passes_run(state.picture->traced);
     if (!widgets::fold("passes and rules", ImGui::GetIO().DisplaySize.y >= theme::px(1200))) return;
     draw_least_contribution(state, trace);

@@ -98,12 +98,21 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
     return title;
 }
 
+namespace {
+
+std::string samples_text(int samples) {
+    return samples > 0 ? fmt::format(", light by {} sample{}", samples, samples == 1 ? "" : "s") : "";
+}
+
+}  // namespace
+
 std::string caption_of(const FigureFacts& f) {
     return fmt::format(
-        "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
+        "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
         scene_text(f.scene, f.time, f.duration), number_text(double(f.triangles)), f.triangles == 1 ? "" : "s",
         tree_text(f.build, f.refitted), walk_text(f.trace), info(rules_in_force(f.trace)).name, leaf_lists_text(f),
-        nodes_text(f.trace), differences(f), machine_text(f), f.width, f.height, time_text(f), build::version);
+        nodes_text(f.trace), samples_text(f.samples), differences(f), machine_text(f), f.width, f.height, time_text(f),
+        build::version);
 }
 
 PngText png_text(const std::string& title, const std::string& caption, const Session& session, const ViewConfig& view) {

@@ -26,6 +26,7 @@ struct FigureFacts {
     int width = 0, height = 0;
     double milliseconds = 0;
     std::string clock;  // that the time was read from; may be empty
+    int samples = 0;    // of light, for each pixel at most
 };
 
 /// "Interior nodes visited, primary rays", the splits where no map is shown, the scene where neither is.

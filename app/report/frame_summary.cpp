@@ -42,6 +42,15 @@ Json judged_json(const JudgedLayer& judged) {
     return json;
 }
 
+/// Without an error where one sample tells none.
+Json samples_json(const SampleCount& count) {
+    return {{"most", count.samples},
+            {"average", count.average},
+            {"standard_error", count.samples > 1 ? Json(count.error) : Json(nullptr)},
+            {"tiles", count.tiles},
+            {"converged_tiles", count.converged_tiles}};
+}
+
 }  // namespace
 
 Json summary_json(const FrameSummary& s) {
@@ -59,6 +68,7 @@ Json summary_json(const FrameSummary& s) {
         {"unfinished", unfinished_json(s.frame)},
     };
     if (s.needs) json["needs"] = *s.needs;
+    if (s.samples) json["samples"] = samples_json(*s.samples);
     if (s.on) json["measured_on"] = json_of(*s.on);
     if (s.judged != nullptr) json["oracle"] = judged_json(*s.judged);
     return json;

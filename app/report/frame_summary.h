@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/frame/frame_time.h"
+#include "app/frame/sample_count.h"
 #include "app/report/json_values.h"
 
 namespace kd {
@@ -20,9 +21,10 @@ struct FrameSummary {
     bool software_gl = false;
     std::string clock;
     const std::vector<std::string>& left_out;
-    const JudgedLayer* judged = nullptr;  // null where nothing was compared
-    std::optional<Json> needs{};          // where they were listed
-    std::optional<MeasuredOn> on{};       // where times are kept for later
+    const JudgedLayer* judged = nullptr;   // null where nothing was compared
+    std::optional<Json> needs{};           // where they were listed
+    std::optional<SampleCount> samples{};  // where light is sampled
+    std::optional<MeasuredOn> on{};        // where times are kept for later
 };
 
 /// Settings, scene, tree, machine, times, the counters of every pass, and what the oracle says of the hits.

@@ -43,7 +43,8 @@ FigureFacts facts_of(const EngineState& state) {
             .width = traced.frame->width,
             .height = traced.frame->height,
             .milliseconds = traced.time.total_ms,
-            .clock = traced.clock};
+            .clock = traced.clock,
+            .samples = traced.samples ? traced.samples->samples : 0};
 }
 
 std::string title_of(const EngineState& state) {
@@ -105,6 +106,7 @@ Json summary_json(const EngineState& state, const std::optional<MeasuredOn>& on)
                          .clock = traced.clock,
                          .left_out = traced.left_out,
                          .judged = state.judged(),
+                         .samples = traced.samples,
                          .on = on});
 }
 

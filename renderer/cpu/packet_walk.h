@@ -216,6 +216,8 @@ class PacketWalk {
             kernel_.observe(observers_[lane]);
             kernel_.begin_above(depth_[lane]);
             kernel_.walk_subtree(s, from.node, from.begin[lane], from.end[lane], any_hit_, hit);
+            // A part of a walk is no ray; answer() counts it.
+            if constexpr (counting) --observers_[lane].counters.rays;
             keep(lane, hit);
         }
         kernel_.begin_above(0);

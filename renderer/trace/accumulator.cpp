@@ -43,9 +43,11 @@ std::size_t Accumulator::number_of(const Tile& tile) const {
 }
 
 void Accumulator::add(const Frame& sample, std::span<const Tile> tiles) {
-    gathered_.exponent = sample.exponent;
-    gathered_.sampling = sample.sampling;
-    gathered_.hold_indirect(sample.holds(Pass::rt_indirect));
+    if (samples() == 0) {
+        gathered_.exponent = sample.exponent;
+        gathered_.sampling = sample.sampling;
+        gathered_.hold_indirect(sample.holds(Pass::rt_indirect));
+    }
     parallel_ranges(tiles.size(), 1, 0, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) add_tile(sample, tiles[i], states_[number_of(tiles[i])]);
     });
@@ -63,7 +65,7 @@ void Accumulator::add_tile(const Frame& sample, const Tile& tile, State& state) 
             if (state.samples > 1) state.squared_error += squared_error(sum_[i], squares_[i], state.samples);
             for (std::size_t pass = 0; pass < pass_count; ++pass) {
                 if (!gathered_.holds(Pass(pass))) continue;
-                gathered_.layers[pass].hit.pixels[i] = sample.layers[pass].hit.pixels[i];
+                if (state.samples == 1) gathered_.layers[pass].hit.pixels[i] = sample.layers[pass].hit.pixels[i];
                 add_counters(gathered_.layers[pass].counters.pixels[i], sample.layers[pass].counters.pixels[i]);
             }
         }
@@ -84,10 +86,10 @@ int Accumulator::samples() const {
     return states_.empty() ? 0 : std::ranges::max(states_, {}, &State::samples).samples;
 }
 
-std::int64_t Accumulator::samples_drawn() const {
-    std::int64_t drawn = 0;
-    for (std::size_t i = 0; i < tiles_.size(); ++i) drawn += states_[i].samples * pixels_of(tiles_[i]);
-    return drawn;
+double Accumulator::average_samples() const {
+    double drawn = 0;
+    for (std::size_t i = 0; i < tiles_.size(); ++i) drawn += double(states_[i].samples) * double(pixels_of(tiles_[i]));
+    return sum_.empty() ? 0 : drawn / double(sum_.size());
 }
 
 double Accumulator::error() const {

@@ -20,7 +20,7 @@ class Accumulator {
 
     Accumulator(int width, int height);
 
-    /// Adds what a frame of samples has in `tiles`, which are some of tiles(). The hits kept are those of the last.
+    /// Adds what a frame of samples has in `tiles`, which are some of tiles(); the first time all of them.
     void add(const Frame& sample, std::span<const Tile> tiles);
 
     [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
@@ -29,13 +29,13 @@ class Accumulator {
 
     /// Samples of the pixel that has most.
     [[nodiscard]] int samples() const;
-    /// Samples of all pixels together.
-    [[nodiscard]] std::int64_t samples_drawn() const;
+    /// Of all pixels.
+    [[nodiscard]] double average_samples() const;
     /// Root mean square of the standard errors over all pixels; infinite below two samples.
     [[nodiscard]] double error() const;
 
-    /// Mean colours, sums of counters (maxima of stack depths and exit reasons), the last hits. Pixels without a sample
-    /// are untraced.
+    /// Mean colours, sums of counters (maxima of stack depths and exit reasons), and the hits, with
+    /// Frame::sampling, of the first sample. Untraced where there is none.
     [[nodiscard]] Frame frame() const;
 
   private:

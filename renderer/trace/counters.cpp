@@ -15,7 +15,6 @@ constexpr CounterInfo table[] = {
     {"restarts", "restarts at the root", "restarts", &RayCounters::restarts},
     {"backtracks", "backtracks from a leaf", "backtracks", &RayCounters::backtracks},
     {"stack_depth", "deepest stack", "entries", &RayCounters::stack_depth},
-    {"rays", "rays traced", "rays", &RayCounters::rays},
 };
 constexpr std::array<std::string_view, 5> reasons{"miss", "hit", "step cap", "stack overflow", "invalid ray"};
 
@@ -44,7 +43,7 @@ void CounterTotals::merge(const CounterTotals& other) {
 
 bool operator==(const RayCounters& a, const RayCounters& b) {
     return std::ranges::all_of(table, [&](const CounterInfo& c) { return a.*c.field == b.*c.field; }) &&
-           a.exit_reason == b.exit_reason;
+           a.exit_reason == b.exit_reason && a.rays == b.rays;
 }
 
 bool bit_equal(const Hit& a, const Hit& b) {

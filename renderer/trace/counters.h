@@ -16,7 +16,7 @@ struct CounterInfo {
     uint RayCounters::*field;
 };
 
-/// Every field of RayCounters but exit_reason, in order.
+/// Every field of RayCounters but exit_reason and rays, in order: what a ray's walk took.
 [[nodiscard]] std::span<const CounterInfo> counter_table();
 
 /// "hit", "miss", "step cap", "stack overflow", "invalid ray".

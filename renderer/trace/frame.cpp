@@ -33,7 +33,7 @@ bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel) {
     if (pass == Pass::rt_prim) return frame.colour.pixels[pixel].w != 0;
     if (!frame.holds(pass)) return false;
     const RayLayer& layer = frame.layer(pass);
-    return layer.counters.pixels[pixel].rays != 0 || layer.hit.pixels[pixel].triangle >= 0;
+    return !(layer.counters.pixels[pixel] == RayCounters{}) || layer.hit.pixels[pixel].triangle >= 0;
 }
 
 std::vector<Tile> tiles_of(int width, int height, int size) {

@@ -67,8 +67,8 @@ struct Frame {
 [[nodiscard]] Hit in_scene_units(const Frame& frame, Hit hit);
 
 /// True where `pass` traced a ray at this pixel. The frame does not record that, so it is inferred: primary rays where
-/// the pixel is traced at all (alpha is not 0), others where rays were counted or something was hit. False for layers
-/// that the frame does not hold.
+/// the pixel is traced at all (alpha is not 0), others where a counter is not zero or something was
+/// hit. False for layers that the frame does not hold.
 [[nodiscard]] bool ray_traced(const Frame& frame, Pass pass, std::size_t pixel);
 
 /// Half-open rectangle of pixels.

@@ -37,7 +37,7 @@ TEST(Accumulator, HoldsMeansOfColoursAndSumsOfCounters) {
         ASSERT_EQ(c.rays, 2u);
     }
     EXPECT_EQ(gathered.samples(), 2);
-    EXPECT_EQ(gathered.samples_drawn(), 2 * width * height);
+    EXPECT_EQ(gathered.average_samples(), 2);
 }
 
 TEST(Accumulator, OneFrameIsThatFrame) {
@@ -73,16 +73,20 @@ TEST(Accumulator, TilesThatHaveConvergedRest) {
     EXPECT_EQ(gathered.active(0).size(), gathered.tiles().size()) << "nothing rests where no error is asked for";
     add(4);
     EXPECT_EQ(gathered.samples(), Accumulator::fewest_samples + 4);
-    const std::int64_t first = 32 * 32;
-    EXPECT_EQ(gathered.samples_drawn(), Accumulator::fewest_samples * width * height + 4 * first);
+    EXPECT_DOUBLE_EQ(gathered.average_samples(), Accumulator::fewest_samples + 4 * 32.0 * 32 / (width * height));
 }
 
-TEST(Accumulator, WhatHasNoSampleIsUntraced) {
+TEST(Accumulator, HitsAreThoseOfTheFirstSample) {
     Accumulator gathered(width, height);
-    gathered.add(grey(0.5f), std::span(gathered.tiles()).first(1));
-    const Frame frame = gathered.frame();
-    EXPECT_EQ(frame.colour.at(31, 31).w, 1.0f);
-    EXPECT_EQ(frame.colour.at(32, 0).w, 0.0f);
+    EXPECT_EQ(gathered.frame().colour.at(0, 0).w, 0.0f) << "untraced";
+    for (const int number : {3, 4}) {
+        Frame frame = grey(0.5f);
+        frame.sampling.sample = number;
+        frame.layer(Pass::rt_prim).hit.at(5, 5).triangle = number;
+        gathered.add(frame, gathered.tiles());
+    }
+    EXPECT_EQ(gathered.frame().sampling.sample, 3);
+    EXPECT_EQ(gathered.frame().layer(Pass::rt_prim).hit.at(5, 5).triangle, 3);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 class PixelBatch : public testing::Test {
   protected:
     static constexpr int width = 41, height = 35;
-    const FlatScene scene = test::mirror_scene(200, 7);
+    const FlatScene scene = test::soft_scene(200, 7);
     const KdTree tree = build_tree(scene.triangles, {});
 
     [[nodiscard]] Frame frame(CpuMode mode, const TraceConfig& config) const {
@@ -40,7 +40,9 @@ TEST_F(PixelBatch, MakesThePictureOfSinglePixelsToTheBit) {
     for (const int bounces : {0, 1, 4})
         for (const bool shadows : {true, false}) {
             SCOPED_TRACE(testing::Message() << bounces << " bounces, shadows " << shadows);
-            TraceConfig config{.shadows = shadows, .reflection_depth = bounces};
+            // Sampled or not, in turn.
+            TraceConfig config{
+                .shadows = shadows, .reflection_depth = bounces, .sampling = {.sample = bounces % 2 - 1}};
             const Frame expected = frame(CpuMode::scalar, config);
             test::on_each_instruction_set([&] {
                 expect_the_same(frame(CpuMode::wide, config), expected);
@@ -54,12 +56,12 @@ TEST_F(PixelBatch, MakesThePictureOfSinglePixelsToTheBit) {
 }
 
 TEST_F(PixelBatch, HasEveryPassToCompare) {
-    const Frame made = frame(CpuMode::packet, {.reflection_depth = 4});
+    const Frame made = frame(CpuMode::packet, {.reflection_depth = 4, .sampling = {.sample = 0}});
     for (std::size_t pass = 0; pass < pass_count; ++pass)
         EXPECT_TRUE(std::ranges::any_of(made.layers[pass].hit.pixels, [](const Hit& hit) { return hit.triangle >= 0; }))
             << pass_names[pass];
     // Some path goes on behind its first bounce.
-    EXPECT_FALSE(made.colour == frame(CpuMode::packet, {.reflection_depth = 1}).colour);
+    EXPECT_FALSE(made.colour == frame(CpuMode::packet, {.reflection_depth = 1, .sampling = {.sample = 0}}).colour);
 }
 
 }  // namespace

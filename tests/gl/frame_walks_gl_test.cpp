@@ -63,11 +63,11 @@ TEST(WalkFrame, TheIdealisedScheduleIsTheCountersOwn) {
     const Subject cornell("cornell");
     Frame frame(width, height);
     CpuTracer(cornell.scene, cornell.tree).trace_frame({}, cornell.camera, frame);
-    for (int pass = 0; pass < pass_count; ++pass) {
-        const LockstepLayer layer = cornell.layer(Schedule::lockstep, 8, 4, Pass(pass));
+    for (const Pass pass : {Pass::rt_prim, Pass::shade_prim, Pass::rt_refl, Pass::shade_refl}) {
+        const LockstepLayer layer = cornell.layer(Schedule::lockstep, 8, 4, pass);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const RayCounters& c = frame.layer(Pass(pass)).counters.at(x, y);
+                const RayCounters& c = frame.layer(pass).counters.at(x, y);
                 const auto steps = std::int64_t(c.interior_first) + c.interior_again + c.leaves + c.triangle_tests;
                 EXPECT_EQ(std::max<std::int64_t>(layer.steps.at(x, y), 0), steps);
                 EXPECT_LE(std::uint64_t(steps), layer.group_at(x, y).tally.iterations);
