@@ -48,11 +48,11 @@ void Engine::begin_playing() {
     sampled_at_ = now();
 }
 
-/// A picture that gave way to the next at once is finished.
+/// A picture that gave way to the next at once is finished: all pixels, all samples of light.
 void Engine::end_playing() {
     if (!std::exchange(state_.motion.playing, false)) return;
     drop_pose();
-    if (state_.tracing.active || traced_.scale != 1) start_trace();
+    if (state_.tracing.active || traced_.scale != 1 || state_.session.samples > 1) start_trace();
 }
 
 /// The pose that is being made or waits: another is asked for.

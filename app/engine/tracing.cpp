@@ -168,9 +168,9 @@ void Tracing::trace_levels(const TraceRequest& request, const std::stop_token& s
                                  upload,
                                  {upload.end, steady_seconds()}};
         publish(traced);
-        if (scale == 1 && request.samples.samples > 1 && !request.moving)
-            add_samples(request, traced, stop, publish, progress);
-        if (scale == 1 || request.moving || stop.stop_requested()) return;
+        if (request.moving || stop.stop_requested()) return;
+        if (scale == 1 && request.samples.samples > 1) add_samples(request, traced, stop, publish, progress);
+        if (scale == 1) return;
     }
 }
 

@@ -229,16 +229,16 @@ void draw_passes_run(const TracedFrame& traced) {
     const bool cpu = runs_on_cpu(traced.tracer);
     std::string why = fmt::format(
         "{}Features that the {} does without for this scene and these settings: {}{}.",
-        passes ? "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects, "
-                 "RTIndirect and ShadeIndirect where indirect light is sampled.\n\n"
-               : "",
+        passes
+            ? "The passes RTPrim and ShadePrim always run; RTRefl and ShadeRefl where something reflects, RTIndirect "
+              "and ShadeIndirect where indirect light is sampled.\n\n"
+            : "",
         cpu ? "CPU" : "GPU", traced.left_out.size(),
         cpu ? "; what only the GPU's programs can leave out is not counted" : "");
     for (const std::string& line : traced.left_out) why += "\n" + line + ".";
     if (missing.empty()) missing = "nothing is left out";
-    widgets::note(
-        passes ? fmt::format("{} passes; {}", 2 + (needs.reflections ? 2 : 0) + (needs.indirect ? 2 : 0), missing)
-               : missing);
+    const int count = 2 + (needs.reflections ? 2 : 0) + (needs.indirect ? 2 : 0);
+    widgets::note(passes ? fmt::format("{} passes; {}", count, missing) : missing);
     widgets::hint(why);
 }
 

@@ -67,7 +67,8 @@ void draw_scale(ImDrawList& list, const Plane& plane) {
         const float x = std::round(plane.x_of(plane.window.begin + 1e-3 * ms));
         list.AddLine({x, plane.high.y}, {x, plane.high.y + theme::px(4)}, theme::dim_text);
         const std::string text = fmt::format("{:g}{}", ms, ms == 0 ? " ms" : "");
-        list.AddText({x + theme::px(2), plane.high.y + theme::px(2)}, theme::dim_text, text.c_str());
+        const ImVec2 at{x + theme::px(2), plane.high.y + theme::px(2)};
+        if (at.x + ImGui::CalcTextSize(text.c_str()).x <= plane.high.x) list.AddText(at, theme::dim_text, text.c_str());
     }
 }
 

@@ -91,6 +91,16 @@ TEST(LevelPlan, StartsCoarseWhileTheSpeedIsUnknownAndEndsWithEveryPixel) {
     EXPECT_EQ(plan.predicted_ms(1, 1600, 900), 0);
 }
 
+TEST(LevelPlan, MovesAsFineAsTimeAllows) {
+    LevelPlan plan;
+    EXPECT_EQ(plan.moving(1600, 900), plan.first(1600, 900)) << "of unknown speed";
+    plan.learn(1000, 1600 * 900);
+    EXPECT_EQ(plan.moving(1600, 900), 4) << "1000 / 16 ms; a half along each side would take 250";
+    plan.reset();
+    plan.learn(150, 1600 * 900);
+    EXPECT_EQ(plan.moving(1600, 900), 1);
+}
+
 TEST(LevelPlan, GoesStraightToEveryPixelWhereThatIsFast) {
     LevelPlan plan;
     plan.learn(5, 1600 * 900);

@@ -123,6 +123,30 @@ TEST_F(Panels, MotionIsPlayedWhereSomethingMoves) {
     EXPECT_EQ(edit.window.motion.schedule, FrameSchedule::on_demand);
 }
 
+TEST_F(Panels, TheChartOfAMotionReadsItsStepsOut) {
+    show("sheet:200");
+    const auto ui = draw(motion_panel, 1000);
+    EXPECT_FALSE(ui->sees("gantt"));
+    for (int n = 0; n < 10; ++n) {  // 0.1 s each, traced for the second half of it
+        FrameSteps steps;
+        const double begin = 0.1 * n;
+        steps[FrameStep::update] = {begin, begin + 0.01};
+        steps[FrameStep::build] = {begin + 0.01, begin + 0.03};
+        steps[FrameStep::upload] = {begin + 0.03, begin + 0.05};
+        steps[FrameStep::trace] = {begin + 0.05, begin + 0.1};
+        state.motion.recent.frames.push_back(steps);
+    }
+    state.motion.played = 40;
+    ui->frames(2);
+    const Rectangle chart = ui->place("gantt");
+    // Eight frames, the last of them number 39: the trace of that fills the last sixteenth.
+    const float tracing = chart.y + theme::px(60);
+    ui->move_to({chart.x + chart.width - 5, tracing});
+    EXPECT_EQ(ui->tooltip(), "frame 39: trace 50.00 ms");
+    ui->move_to({chart.x + chart.width - 5, chart.y + 5});
+    EXPECT_EQ(ui->tooltip(), "") << "nothing was built then";
+}
+
 TEST_F(Panels, TexturesAreARowWhereThereAreSome) {
     show("scatter:60");
     const auto ui = draw("SCENE");

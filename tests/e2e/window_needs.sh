@@ -6,9 +6,14 @@ start_window cornell
 click_on "TIME/measure while idle"  # its programs count nothing, and are others
 press x
 wait_for '^bottom=NEEDS$'
-for label in measure "leave all out" reflections textures; do # what follows is scrolled to
+for label in measure "leave all out" reflections shadows; do # what follows is scrolled to
     [[ -n $(place "NEEDS/$label") ]] || fail "'$label' is not to be seen at $SCREEN"
 done
+# The border above it is dragged until the list has room for textures too.
+border=$(value picture_area.1)
+border=$((${border%.*} + $(value picture_area.3 | cut -d. -f1) + 2))
+move_to 600 "$border" && hold && move_by 5 0 -20 && let_go
+[[ -n $(place NEEDS/textures) ]] || fail "'textures' is not to be seen in a higher strip"
 left_out() { state | sed -n 's/^left_out\.[0-9]*=//p'; }
 left_out | grep -q '^later bounces: ' || fail "left out: $(left_out)"
 left_out | grep -q '^texture fetch: ' || fail "left out: $(left_out)"
@@ -53,6 +58,7 @@ wait_for '^needs.active=false$'
 [[ -z $(value needs.saved_ms.spot-lights) ]] || fail "the CPU has no spot lights to leave out"
 press x
 wait_for '^bottom=TIME$'
+move_to 600 $((border - 100)) && hold && move_by 5 0 20 && let_go  # PIXEL has its rows again
 
 # What the scene cannot have is not offered: rays of mirrors, until their passes are put back.
 choose "top/scene" rooms

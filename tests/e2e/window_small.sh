@@ -46,7 +46,7 @@ above "VIEW/split lines" 696 || fail "the last row of VIEW is cut: $(place "VIEW
 # NEEDS shows whole rows; its last one can be reached.
 press x
 wait_for '^bottom=NEEDS$'
-scroll_to "NEEDS/textures" "NEEDS/exact-products" down
+scroll_to "NEEDS/reflections" "NEEDS/exact-products" down
 
 # STABILITY in a lower strip: the texts of a case go on below what is to be seen.
 press y

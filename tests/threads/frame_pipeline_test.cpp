@@ -191,6 +191,12 @@ TEST(PipelineStats, SharesAndTimesOfARunByHand) {
     EXPECT_EQ(stats.frame_ms.size(), 6u);
     EXPECT_DOUBLE_EQ(stats.overlap, 1.0 / 3);
     EXPECT_TRUE(pipeline_stats(run, 5).frame_ms.empty());
+    // Of a run that goes on, to 4.75: frame 4 tells what was built until then.
+    stats = pipeline_stats(run, 2, 1);
+    EXPECT_EQ(stats.frame_ms, (std::vector<double>(2, 1000.0)));
+    EXPECT_DOUBLE_EQ(stats.seconds, 2.0);
+    EXPECT_DOUBLE_EQ(stats.builder_idle, 0.5);
+    EXPECT_TRUE(pipeline_stats(run, 4, 1).frame_ms.empty());
 }
 
 }  // namespace
