@@ -133,9 +133,12 @@ void check_uses(const CLI::App& app, const VerifyOptions& options) {
         refuse_idle(app, {{option, !options.needs, rays}});
     const std::string frames = "single rays are traced; only --needs traces frames with their shading";
     for (const char* option : {"--leaf-lists", "--early-z", "--no-shadows", "--reflection-depth", "--min-contribution",
-                               "--force", "--eye-leaf", "--entry-tile"})
+                               "--force", "--eye-leaf", "--entry-tile", "--samples", "--sample-error",
+                               "--no-soft-shadows", "--no-gloss", "--no-indirect"})
         refuse_idle(app, {{option, options.needs, frames}});
     refuse_idle(app, {{"--packet", options.needs, "packets of all sizes are checked; leave it out"}});
+    refuse_idle(app, {{"--sample-error", false, "one sample of each pixel is compared; leave it out"}});
+    refuse_idle_light_options(app, options.session);
     for (const char* option : {"--early-z", "--force"})
         refuse_idle(app,
                     {{option, !options.needs, "--needs puts features back itself, and culls as usual; leave it out"}});
@@ -178,6 +181,7 @@ CommandBody declare(CLI::App& app) {
     const ShownDefaults everything{"all", "all", "all", "osmesa and egl", "both"};
     add_tracing_options(app, *options, everything);
     add_shading_options(app, *options, everything);
+    add_light_options(app, *options);
     add_tree_options(app, *options, everything);
     add_camera_options(app, *options);
     return [options, &app](CommandContext& context) { return run(app, *options, context); };
@@ -196,7 +200,8 @@ Command verify_command() {
         "Examples:\n"
         "  kdscope verify ball:9000 rooms scatter:10000\n"
         "  kdscope verify model.glb --builder paper --traversal restart --tracer cpu\n"
-        "  kdscope verify --needs cornell model.glb\n",
+        "  kdscope verify --needs cornell model.glb\n"
+        "  kdscope verify --needs --samples 1 cornell\n",
         declare};
 }
 

@@ -18,7 +18,7 @@ NeedsCheckConfig config_for(const CommonOptions& options, const Session& session
     NeedsCheckConfig config;
     config.width = session.width;
     config.height = session.height;
-    config.trace = session.trace;
+    config.trace = first_sample(session);
     config.traversals = {session.trace.traversal};
     static_cast<MachineChoice&>(config) =
         wanted_machines(options, {TracerKind::cpu, TracerKind::gl_fragment, TracerKind::gl_compute});

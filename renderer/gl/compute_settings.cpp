@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/geometry/input_error.h"
 
@@ -37,6 +38,18 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
+/// Refuses a word that contradicts one before it in `text`.
+void check_opposite(std::string_view text, std::string_view word, std::string_view before) {
+    constexpr std::pair<std::string_view, std::string_view> opposites[] = {
+        {"storage", "textures"}, {"lists", "no-lists"}, {"dealt", "in-order"}};
+    for (const auto& [a, b] : opposites) {
+        if (word != a && word != b) continue;
+        for (std::string_view rest = before; !rest.empty();)
+            if (next_word(rest) == (word == a ? b : a))
+                refuse(text, fmt::format("'{}' and '{}' exclude each other", a, b));
+    }
+}
+
 void take_word(std::string_view text, std::string_view word, ComputeSettings& settings) {
     if (word == "linear")
         settings.morton = false;
@@ -63,7 +76,13 @@ ComputeSettings parse_compute_settings(std::string_view text) {
     if (settings.x * settings.y > most_pixels) refuse(text, fmt::format("a group has at most {} pixels", most_pixels));
     const bool square = settings.x == settings.y || settings.x == 2 * settings.y;
     settings.morton = square && std::has_single_bit(unsigned(settings.x));
-    while (!rest.empty()) take_word(text, next_word(rest), settings);
+    const std::string_view words = rest;
+    while (!rest.empty()) {
+        const std::string_view before = words.substr(0, words.size() - rest.size());
+        const std::string_view word = next_word(rest);
+        check_opposite(text, word, before);
+        take_word(text, word, settings);
+    }
     return settings;
 }
 

@@ -36,6 +36,10 @@ TEST(ComputeSettings, RefuseWhatIsNone) {
     EXPECT_EQ(told("8"), std::string("KDSCOPE_COMPUTE '8': it begins with no size") + remedy);
     EXPECT_EQ(told("0x8"), std::string("KDSCOPE_COMPUTE '0x8': '0' is no number from 1 to 1024") + remedy);
     EXPECT_EQ(told("64x32"), std::string("KDSCOPE_COMPUTE '64x32': a group has at most 1024 pixels") + remedy);
+    EXPECT_EQ(
+        told("8x8,storage,linear,textures"),
+        std::string("KDSCOPE_COMPUTE '8x8,storage,linear,textures': 'storage' and 'textures' exclude each other") +
+            remedy);
     EXPECT_EQ(told("8x8,fast"), std::string("KDSCOPE_COMPUTE '8x8,fast': 'fast' is unknown") + remedy);
 }
 
