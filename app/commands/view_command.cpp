@@ -56,6 +56,7 @@ CommandBody declare(CLI::App& app) {
     app.get_option("SCENE")->description(
         fmt::format("A scene by name, a .gltf or .glb file, or a session file [{}]", options->session.scene));
     add_frame_options(app, *options);
+    add_light_options(app, *options);
     add_camera_options(app, *options);
     hide_options(app, {"--size", "--context"});  // the window has its own
     return [options, &app](CommandContext& context) { return run(app, *options, context); };

@@ -194,6 +194,7 @@ class Engine {
     bool walked_in_steps_ = false;        // by the frame's own traversal, not by a stack
     std::uint64_t trace_generation_ = 0;  // the last one that asked for another frame
     std::atomic<double> paint_ms_ = 0;    // of the last whole picture; written by the painting thread
+    bool samples_wait_ = false;           // traced_ is painted when the picture before it is
     std::uint64_t paint_ticket_ = 0;      // of the painting asked for last
     std::uint64_t shown_ticket_ = 0;      // of the picture shown
     std::uint64_t trace_ticket_ = 0;      // of the trace started last

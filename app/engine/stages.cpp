@@ -264,7 +264,9 @@ void Engine::receive(TracedFrame traced) {
         note_frame(traced_);
         note_planes(traced_);
     }
-    start_paint();
+    // More samples may come faster than the picture is painted: the newest waits for the one before.
+    samples_wait_ = traced_.samples && traced_.samples->samples > 1 && painter_.busy();
+    if (!samples_wait_) start_paint();
 }
 
 void Engine::start_judging() {
@@ -361,6 +363,7 @@ void Engine::show(std::shared_ptr<const Picture> picture, std::uint64_t ticket) 
     shown_ticket_ = ticket;
     state_.picture = std::move(picture);
     read_probes();
+    if (!state_.picture->sketch && std::exchange(samples_wait_, false)) start_paint();
 }
 
 void Engine::fail_paint(const std::string& why, const ViewConfig& view) {
