@@ -91,8 +91,9 @@ class GlFrameTracer final : public FrameTracer {
     void prepare(const TraceConfig& config, int width, int height) override {
         context_->make_current();
         const double ms = wall_ms([&] { tracer_->prepare(complete(config), width, height); });
-        if (prepared_ == at_first_sample(config)) return;
-        prepared_ = at_first_sample(config);
+        const TraceConfig first = at_first_sample(config);
+        if (prepared_ == first) return;
+        prepared_ = first;
         setup_.compile_ms = ms;
     }
 
@@ -133,11 +134,12 @@ class GlFrameTracer final : public FrameTracer {
 
     /// Drivers finish compiling at the first draw, so one of a few pixels comes before the timing.
     void warm_up(const TraceConfig& config, const PinholeCamera& camera, int width, int height) {
-        if (std::ranges::find(warm_, at_first_sample(config)) != warm_.end()) return;
+        const TraceConfig first = at_first_sample(config);
+        if (std::ranges::find(warm_, first) != warm_.end()) return;
         const Tile middle{width / 2, height / 2, std::min(width / 2 + 4, width), std::min(height / 2 + 4, height)};
         const double ms = wall_ms([&] { tracer_->draw(complete(config), camera, width, height, middle); });
-        if (prepared_ == at_first_sample(config)) setup_.compile_ms += ms;
-        warm_.push_back(at_first_sample(config));
+        if (prepared_ == first) setup_.compile_ms += ms;
+        warm_.push_back(first);
     }
 
     GlChoices choices_;

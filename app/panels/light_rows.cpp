@@ -13,14 +13,14 @@ namespace {
 constexpr int most_samples = 4096;
 
 /// A switch of one effect; greyed out where the scene has nothing of it.
-void draw_effect(const EngineState& state, const TraceConfig& trace, Feature feature, const char* label, bool& on,
+void draw_effect(const EngineState& state, TraceConfig& trace, Feature feature, const char* label,
                  bool Sampling::*effect, const char* tooltip) {
     TraceConfig sampled = trace;
     sampled.sampling.sample = 0;
     sampled.sampling.*effect = true;
     const std::string absent = why_absent(state, sampled, feature);
     ImGui::BeginDisabled(!absent.empty());
-    widgets::toggle(label, on, widgets::tip_of(tooltip, absent));
+    widgets::toggle(label, trace.sampling.*effect, widgets::tip_of(tooltip, absent));
     ImGui::EndDisabled();
 }
 
@@ -45,12 +45,11 @@ void draw_light_rows(const EngineState& state, Edit& edit) {
         "stop at error", session.sample_error, 0, 0.1f, session.sample_error == 0 ? "never" : "%.3f",
         "A tile of 32 x 32 pixels gets no more samples once the standard error of its mean colour, of white "
         "1, is at most this: see the map 'rays'. Option --sample-error.");
-    Sampling& sampling = session.trace.sampling;
-    draw_effect(state, session.trace, Feature::soft_shadows, "soft shadows", sampling.soft_shadows,
-                &Sampling::soft_shadows, "Lights have their radius. Off: they are points. Option --no-soft-shadows.");
-    draw_effect(state, session.trace, Feature::gloss, "gloss", sampling.gloss, &Sampling::gloss,
+    draw_effect(state, session.trace, Feature::soft_shadows, "soft shadows", &Sampling::soft_shadows,
+                "Lights have their radius. Off: they are points. Option --no-soft-shadows.");
+    draw_effect(state, session.trace, Feature::gloss, "gloss", &Sampling::gloss,
                 "Rough mirrors reflect by facets. Off: they are mirrors. Option --no-gloss.");
-    draw_effect(state, session.trace, Feature::indirect, "indirect light", sampling.indirect, &Sampling::indirect,
+    draw_effect(state, session.trace, Feature::indirect, "indirect light", &Sampling::indirect,
                 "Light that comes by way of another surface (RTIndirect, ShadeIndirect) in place of the light that is "
                 "everywhere. Off: that. Option --no-indirect.");
     if (state.picture && state.picture->traced.samples)

@@ -72,25 +72,26 @@ FeatureNeed emission(Facts f, Config) {
     return f.emission ? needed("a material emits light") : idle("no material emits light");
 }
 
-constexpr std::string_view unsampled = "light is not sampled";
+/// Why an effect of sampled light was not chosen; empty where it was.
+std::string unchosen(Config c, bool Sampling::*effect) {
+    if (c.sampling.sample < 0) return "light is not sampled";
+    return c.sampling.*effect ? "" : "switched off";
+}
 
 FeatureNeed soft_shadows(Facts f, Config c) {
-    if (c.sampling.sample < 0) return refused(std::string(unsampled));
-    if (!c.sampling.soft_shadows) return refused("switched off");
+    if (const std::string why = unchosen(c, &Sampling::soft_shadows); !why.empty()) return refused(why);
     return f.large_lights > 0 ? needed(counted(f.large_lights, "light with a radius")) : idle("all lights are points");
 }
 
 FeatureNeed gloss(Facts f, Config c) {
-    if (c.sampling.sample < 0) return refused(std::string(unsampled));
-    if (!c.sampling.gloss) return refused("switched off");
+    if (const std::string why = unchosen(c, &Sampling::gloss); !why.empty()) return refused(why);
     if (countable_bounces(f, c) == 0) return idle("nothing is reflected");
     if (f.roughest_reflection > 0.0f) return needed(fmt::format("roughness up to {}", f.roughest_reflection));
     return idle("what reflects is a mirror");
 }
 
 FeatureNeed indirect(Facts f, Config c) {
-    if (c.sampling.sample < 0) return refused(std::string(unsampled));
-    if (!c.sampling.indirect) return refused("switched off");
+    if (const std::string why = unchosen(c, &Sampling::indirect); !why.empty()) return refused(why);
     return f.diffuse ? needed("a material scatters light") : idle("no material scatters light");
 }
 
