@@ -18,6 +18,9 @@ struct FrameTime {
     std::array<std::int64_t, pass_count> shaded_pixels = for_each_pass<std::int64_t>(-1);
     bool complete = true;  // false where stopped
 
+    /// A part of the same frame, or another frame: sums of what is known.
+    void add(const FrameTime& more);
+
     [[nodiscard]] TimeSample sample() const { return {total_ms, wall_ms > 0 ? wall_ms : -1, pass_ms}; }
 };
 

@@ -10,14 +10,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds idle_after{5}, awake_after{500};
 
-void add(const GlFrameReport& report, FrameTime& time) {
-    time.total_ms += report.total_ms;
-    time.wall_ms += report.wall_ms;
-    for (std::size_t pass = 0; pass < pass_count; ++pass) {
-        if (report.pass_ms[pass] > 0) time.pass_ms[pass] = std::max(time.pass_ms[pass], 0.0) + report.pass_ms[pass];
-        std::int64_t& shaded = time.shaded_pixels[pass];
-        if (report.shaded_pixels[pass] >= 0) shaded = std::max(shaded, std::int64_t(0)) + report.shaded_pixels[pass];
-    }
+/// A pass that took no time did not run.
+FrameTime time_of(const GlFrameReport& report) {
+    FrameTime time{.total_ms = report.total_ms, .wall_ms = report.wall_ms, .shaded_pixels = report.shaded_pixels};
+    for (std::size_t pass = 0; pass < pass_count; ++pass)
+        if (report.pass_ms[pass] > 0) time.pass_ms[pass] = report.pass_ms[pass];
+    return time;
 }
 
 }  // namespace
@@ -45,7 +43,7 @@ FrameTime GlFrameDrawer::draw(GlTracer& tracer, const GlTraceConfig& config, con
         const GlFrameReport report = tracer.draw(config, camera, width, height, tile);
         plan.learn(report.total_ms, tile);
         clock_ = report.clock;
-        add(report, time);
+        time.add(time_of(report));
         done += std::int64_t(tile.x1 - tile.x0) * (tile.y1 - tile.y0);
         if (progress) progress(float(double(done) / double(pixels)));
     }
@@ -58,7 +56,7 @@ FrameTime GlFrameDrawer::draw_tiles(GlTracer& tracer, const GlTraceConfig& confi
                                     const std::function<void(float)>& progress) {
     FrameTime time;
     for (std::size_t i = 0; i < tiles.size() && time.complete; ++i) {
-        add(tracer.draw(config, camera, width, height, tiles[i]), time);
+        time.add(time_of(tracer.draw(config, camera, width, height, tiles[i])));
         time.complete = !stop.stop_requested();
         if (progress) progress(float(i + 1) / float(tiles.size()));
     }
