@@ -100,8 +100,8 @@ small_needs() {
     click_on "NEEDS/measure"
     wait_for '^needs.saved_ms.textures=' 280
     wait_for '^needs.active=false$'
-    click_on "NEEDS/normals"
-    wait_for '^settings.forced.0=normals$'
+    click_on "NEEDS/reflections"
+    wait_for '^settings.forced.0=reflections$'
     hover 600 20
     shoot needs
     stop_window

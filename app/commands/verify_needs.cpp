@@ -1,5 +1,6 @@
 #include "app/commands/verify_needs.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -43,26 +44,33 @@ Json json_of(const std::string& scene, const NeedsCheckReport& report) {
     return {{"scene", scene}, {"passed", report.passed()}, {"rows", rows}, {"notes", report.notes}};
 }
 
+/// Passes after RTPrim in which some row found a difference.
+std::vector<std::size_t> other_passes(const NeedsCheckReport& report) {
+    std::vector<std::size_t> passes;
+    for (std::size_t pass = 1; pass < pass_count; ++pass)
+        if (std::ranges::any_of(report.rows, [&](const NeedsCheckRow& row) { return row.others[pass] > 0; }))
+            passes.push_back(pass);
+    return passes;
+}
+
 void print(std::ostream& out, const std::string& scene, const NeedsCheckReport& report) {
     using enum TextTable::Align;
     out << fmt::format("{}: pixels that differ when a feature is put back\n", scene);
-    TextTable table({{"feature", left},
-                     {"tracer", left},
-                     {"context", left},
-                     {"traversal", left},
-                     {"pixels"},
-                     {"colours"},
-                     {"primary hits"},
-                     {"primary counters"},
-                     {"shadow"},
-                     {"reflection"},
-                     {"refl. shadow"},
-                     {"verdict", left}});
-    for (const NeedsCheckRow& row : report.rows)
-        table.add_row({row.feature, row.tracer, row.context, row.traversal, fmt::format("{}", row.pixels),
-                       fmt::format("{}", row.colours), fmt::format("{}", row.hits), fmt::format("{}", row.counters),
-                       fmt::format("{}", row.others[1]), fmt::format("{}", row.others[2]),
-                       fmt::format("{}", row.others[3]), row.good() ? "good" : "WRONG"});
+    const std::vector<std::size_t> others = other_passes(report);
+    std::vector<TextTable::Column> columns{{"feature", left},   {"tracer", left},    {"context", left},
+                                           {"traversal", left}, {"pixels"},          {"colours"},
+                                           {"primary hits"},    {"primary counters"}};
+    for (const std::size_t pass : others) columns.push_back({std::string(ray_names[pass])});
+    columns.push_back({"verdict", left});
+    TextTable table(columns);
+    for (const NeedsCheckRow& row : report.rows) {
+        std::vector<std::string> cells{row.feature, row.tracer, row.context, row.traversal};
+        for (const std::int64_t n : {row.pixels, row.colours, row.hits, row.counters})
+            cells.push_back(fmt::format("{}", n));
+        for (const std::size_t pass : others) cells.push_back(fmt::format("{}", row.others[pass]));
+        cells.emplace_back(row.good() ? "good" : "WRONG");
+        table.add_row(cells);
+    }
     table.print(out);
     for (const std::string& note : report.notes) out << "note: " << note << '\n';
     out << (report.passed() ? "passed\n" : report.rows.empty() ? "failed: nothing was checked\n" : "failed\n");

@@ -19,10 +19,10 @@ enum class CpuMode {
     return config.traversal == Traversal::stack && config.step_budget == 0 && !enters_by_tile(config);
 }
 
-/// What `mode` comes to under `config`: published rules and the naive loop know one triangle at a time, and packets
-/// walk in batches alone.
-[[nodiscard]] inline CpuMode mode_in_force(CpuMode mode, const TraceConfig& config) {
-    if (config.rules != Rules::robust || config.traversal == Traversal::naive) return CpuMode::scalar;
+/// What `mode` comes to under `config`: published rules and the naive loop know one triangle at a time, and so does
+/// who looks for holes in it (`masks`: see SceneNeeds); packets walk in batches alone.
+[[nodiscard]] inline CpuMode mode_in_force(CpuMode mode, const TraceConfig& config, bool masks) {
+    if (config.rules != Rules::robust || config.traversal == Traversal::naive || masks) return CpuMode::scalar;
     return mode == CpuMode::packet && !walks_in_batches(config) ? CpuMode::wide : mode;
 }
 

@@ -21,7 +21,7 @@ class Kernel {
           duplicates(scene_view.needs.leaf_copies ? scene_view.duplicated_corners.data() : nullptr), view(scene_view),
           chosen(config.traversal), short_stack(config.short_stack),
           most_steps(config.step_budget > 0 ? config.step_budget : cpu_step_budget), sampling(config.sampling),
-          observer(&first) {}
+          masked(scene_view.needs.masks), observer(&first) {}
 
     void observe(Observer& next) { observer = &next; }
     /// Where the walks that follow begin: the root, or a node that holds all that their rays can meet.
@@ -63,6 +63,7 @@ class Kernel {
     int short_stack;
     int most_steps;
     Sampling sampling;
+    bool masked;  // some triangles have holes
     int first_node = 0;
     int pending_before = 0;
     Observer* observer;
@@ -98,26 +99,28 @@ class Kernel {
         b = normals[1];
         c = normals[2];
     }
-    real2 fetch_texture_coordinates(int triangle, real u, real v) const {
+    void fetch_texture_coordinates(int triangle, real2& a, real2& b, real2& c) const {
         const TriangleAttributes& t = attributes(triangle);
-        const real w = real(1) - u - v;
-        return {t.uv[0].x * w + t.uv[1].x * u + t.uv[2].x * v, t.uv[0].y * w + t.uv[1].y * u + t.uv[2].y * v};
+        a = t.uv[0];
+        b = t.uv[1];
+        c = t.uv[2];
     }
     int fetch_material_index(int triangle) const { return attributes(triangle).material; }
     Material fetch_material(int index) const { return view.scene->materials[std::size_t(index)]; }
-    int2 fetch_texture_size(int texture) const {
-        const Image<Rgba8>& image = view.scene->textures[std::size_t(texture)];
-        return {image.width, image.height};
-    }
-    real3 fetch_texel(int texture, int x, int y) const {
-        const Rgba8 c = view.scene->textures[std::size_t(texture)].at(x, y);
-        return real3(c.r, c.g, c.b) / real(255);
+    TextureImage fetch_texture(int texture) const { return view.scene->textures[std::size_t(texture)]; }
+    real4 fetch_texel(int index) const {
+        const Rgba8 c = view.scene->texels[std::size_t(index)];
+        return real4(c.r, c.g, c.b, c.a);
     }
     int triangle_count() const { return int(view.scene->triangles.size()); }
 
     // Settings.
     bool scene_has_normals() const { return view.needs.normals; }
     bool scene_has_textures() const { return view.needs.textures; }
+    bool scene_has_mip_maps() const { return view.needs.mip_maps; }
+    bool scene_has_wraps() const { return view.needs.wraps; }
+    bool scene_has_normal_maps() const { return view.needs.normal_maps; }
+    KD_FN bool scene_has_masks() const { return masked; }
     bool scene_has_highlights() const { return view.needs.highlights; }
     bool scene_has_emission() const { return view.needs.emission; }
     bool scene_has_directional_lights() const { return true; }

@@ -77,12 +77,12 @@ class PixelBatch {
     void trace_primary() {
         Rays rays;
         const int2 size(job_.frame.width, job_.frame.height);
-        for (int i = 0; i < count_; ++i) rays.add(i, kernel_.camera_ray(job_.camera, place_[std::size_t(i)], size));
-        trace(rays, Pass::rt_prim, false);
-        for (std::size_t i = 0; i < rays.count; ++i) {
-            path_[i] = {rays.ray[i], rays.hit[i], Vec3(1), place_[i], KD_LEG_PRIMARY};
-            hits_[0][i] = rays.hit[i];
+        for (std::size_t i = 0; i < std::size_t(count_); ++i) {
+            path_[i] = kernel_.primary_leg(job_.camera, place_[i], size);
+            rays.add(int(i), path_[i].ray);
         }
+        trace(rays, Pass::rt_prim, false);
+        for (std::size_t i = 0; i < rays.count; ++i) hits_[0][i] = path_[i].hit = rays.hit[i];
         primary_ = path_;
     }
 
@@ -98,7 +98,7 @@ class PixelBatch {
                 continue;
             }
             shaded[i] = true;
-            surface[i] = kernel_.surface_at(path_[i].ray, path_[i].hit);
+            surface[i] = kernel_.surface_of(path_[i]);
             total[i] = kernel_.own_light(surface[i], path_[i].leg);
             to_viewer[i] = -kernel_.normalise3(path_[i].ray.direction);
         }

@@ -11,7 +11,7 @@ SceneView::SceneView(const FlatScene& of_scene, const KdTree& of_tree, CpuMode h
 
 bool SceneView::prepare(const TraceConfig& config, int threads, const std::stop_token& stop) {
     needs = scene_needs(facts, config);
-    const CpuMode before = std::exchange(in_force, mode_in_force(mode, config));
+    const CpuMode before = std::exchange(in_force, mode_in_force(mode, config, needs.masks));
     if (in_blocks()) needs.leaf_copies = false;  // blocks are copies
     let_go(before);
     if (in_blocks() && !make_blocks(threads, stop)) return false;

@@ -25,6 +25,7 @@
 #else
 #define KD_FN [[gnu::always_inline]] inline
 #endif
+#define KD_CALL_FN [[gnu::noinline]] inline
 #define KD_CONST(T) static constexpr T
 #define IS_NAN(x) false          // in C++ a comparison with NaN fails by itself
 #define KD_CORRECTED_ROUNDING 0  // C++ rounds quotients and roots to nearest

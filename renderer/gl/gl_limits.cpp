@@ -57,7 +57,7 @@ UploadSizes upload_sizes(const FlatScene& scene, const KdTree& tree) {
     sizes.references = std::int64_t(tree.references.size());
     sizes.triangles = std::int64_t(scene.triangles.size());
     sizes.lights = std::int64_t(scene.lights.size());
-    for (const Image<Rgba8>& image : scene.textures) sizes.texels += std::int64_t(image.pixels.size());
+    sizes.texels = std::int64_t(scene.texels.size());
     sizes.table_texels = texels_per_material * std::int64_t(scene.materials.size()) + texels_per_light * sizes.lights +
                          std::int64_t(scene.textures.size());
     return sizes;

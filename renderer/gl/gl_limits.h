@@ -28,7 +28,7 @@ struct GlLimits {
 };
 
 // Of the table of materials, lights and images (shaders/opengl/scene_hooks.glsl).
-inline constexpr int texels_per_material = 4, texels_per_light = 4;
+inline constexpr int texels_per_material = 5, texels_per_light = 4;
 
 /// What uploading asks for.
 struct UploadSizes {

@@ -17,7 +17,7 @@ GlMemory planned_memory(const FlatScene& scene, const KdTree& tree, const SceneN
     memory.attributes = texel * sizes.table_texels;
     if (needs.material_numbers) memory.attributes += 4 * sizes.triangles;
     if (needs.normals) memory.attributes += 3 * texel * sizes.triangles;
-    if (needs.textures) {
+    if (needs.images()) {
         memory.attributes += 3 * 8 * sizes.triangles;  // coordinates
         memory.textures = 4 * sizes.texels;
     }

@@ -110,8 +110,11 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
     const bool scatters = step == Step::rt_indirect;
     const bool leaves_surface = step == Step::rt_refl || scatters;
     const bool walks = step_walks(step, s.needs);
-    const bool looks_up_materials = step != Step::rays && step != Step::list_hits && !is_kernel(step) &&
-                                    (step != Step::rt_prim || s.needs.reflections);
+    const bool masks = s.needs.masks && walks;
+    const bool bends = s.needs.normal_maps && (shades || leaves_surface);
+    const bool tints = s.needs.textures && (shades || scatters);
+    const bool looks_up_materials = masks || (step != Step::rays && step != Step::list_hits && !is_kernel(step) &&
+                                              (step != Step::rt_prim || s.needs.reflections));
     const bool calculates = step != Step::mark && !is_list(step);
     ProgramKey key;
     name_files(key, step, s.mode);
@@ -121,7 +124,11 @@ ProgramKey program_key(Step step, const ProgramSettings& s) {
         {"KD_PACKED_NODES", flag(!s.needs.wide_nodes && walks && s.trace.traversal != Traversal::naive)},
         {"KD_DUPLICATED", flag(s.needs.leaf_copies && walks)},
         {"KD_NORMALS", flag(s.needs.normals && (shades || leaves_surface))},
-        {"KD_TEXTURES", flag(s.needs.textures && (shades || scatters))},
+        {"KD_TEXTURES", flag(tints)},
+        {"KD_MIP_MAPS", flag(s.needs.mip_maps && (tints || bends))},
+        {"KD_WRAPS", flag(s.needs.wraps && (tints || bends || masks))},
+        {"KD_NORMAL_MAPS", flag(bends)},
+        {"KD_MASKS", flag(masks)},
         {"KD_SHADOWS", flag(s.needs.shadows && shades)},
         {"KD_REFLECTIONS", flag(s.needs.reflections && step == Step::rt_prim)},
         {"KD_HIGHLIGHTS", flag(s.needs.highlights && shades)},

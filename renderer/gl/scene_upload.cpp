@@ -27,6 +27,7 @@ std::vector<Words> encode_tables(const FlatScene& scene) {
         table.push_back(words(m.specular, unsigned(m.texture)));
         table.push_back(words(m.reflectance, unsigned(m.emission_texture)));
         table.push_back(words(m.emission, bits(m.roughness)));
+        table.emplace_back(unsigned(m.normal_texture), bits(m.normal_scale), bits(m.alpha_cutoff), 0u);
     }
     for (const Light& l : scene.lights) {
         table.push_back(words(l.position, unsigned(l.kind)));
@@ -34,11 +35,9 @@ std::vector<Words> encode_tables(const FlatScene& scene) {
         table.push_back(words(l.colour, bits(l.radius)));
         table.emplace_back(bits(l.attenuation.x), bits(l.attenuation.y), bits(l.cos_inner), bits(l.cos_outer));
     }
-    std::size_t begin = 0;
-    for (const Image<Rgba8>& image : scene.textures) {
-        table.emplace_back(unsigned(begin), unsigned(image.width), unsigned(image.height), 0u);
-        begin += image.pixels.size();
-    }
+    for (const TextureImage& image : scene.textures)
+        table.emplace_back(unsigned(image.first), unsigned(image.width), unsigned(image.height),
+                           unsigned(image.levels | image.wrap_x << 8 | image.wrap_y << 16));
     return table;
 }
 
@@ -86,13 +85,6 @@ std::vector<Vec2> encode_texture_coordinates(const FlatScene& scene) {
 std::vector<std::int32_t> encode_material_index(const FlatScene& scene) {
     std::vector<std::int32_t> texels;
     for (const TriangleAttributes& t : scene.attributes) texels.push_back(t.material);
-    return texels;
-}
-
-std::vector<Rgba8> encode_texels(const FlatScene& scene) {
-    std::vector<Rgba8> texels;
-    for (const Image<Rgba8>& image : scene.textures)
-        texels.insert(texels.end(), image.pixels.begin(), image.pixels.end());
     return texels;
 }
 
@@ -162,9 +154,10 @@ void SceneUpload::prepare(const TraceConfig& config, const SceneNeeds& needs) {
     keep(leaf_corners_, needs.leaf_copies, GL_RGBA32F, "leaf triangles",
          [&] { return encode_corners(duplicated_leaf_triangles(tree_, scene_.triangles)); });
     keep(normals_, needs.normals, GL_RGBA32F, "normals", [&] { return encode_normals(scene_); });
-    keep(texture_coordinates_, needs.textures, GL_RG32F, "texture coordinates",
+    keep(texture_coordinates_, needs.images(), GL_RG32F, "texture coordinates",
          [&] { return encode_texture_coordinates(scene_); });
-    keep(texels_, needs.textures, GL_RGBA8UI, "images", [&] { return encode_texels(scene_); });
+    keep(
+        texels_, needs.images(), GL_RGBA8UI, "images", [&]() -> const auto& { return scene_.texels; });
 }
 
 void SceneUpload::bind() const {

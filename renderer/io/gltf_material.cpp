@@ -16,6 +16,15 @@ constexpr const char* transform_extension = "KHR_texture_transform";
 constexpr const char* strength_extension = "KHR_materials_emissive_strength";
 constexpr double most_strength = 1000.0;  // far beyond what is white
 
+int wrap_of(int named) {
+    if (named == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return KD_WRAP_CLAMP;
+    return named == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? KD_WRAP_MIRROR : KD_WRAP_REPEAT;
+}
+
+double alpha_of(const tinygltf::Value& glossiness) {
+    return numbers_or(glossiness, "diffuseFactor", {1.0, 1.0, 1.0, 1.0})[3];
+}
+
 bool names_one_of(int index, std::size_t count) { return index >= 0 && static_cast<std::size_t>(index) < count; }
 
 }  // namespace
@@ -49,12 +58,12 @@ MaterialUse GltfMaterials::add(int index) {
         glossy ? glossy_surface(*glossy, texture) : metallic_surface(material.pbrMetallicRoughness, texture);
     Material made = to_material(surface, texture.texture);
     add_emission(material, texture, made);
-    note_omissions(material);
+    add_normals(material, texture, made);
+    add_mask(material, glossy ? alpha_of(*glossy) : material.pbrMetallicRoughness.baseColorFactor.at(3), made);
 
     scene_.materials.push_back(made);
     scene_.material_names.push_back(index < 0 ? "default" : printable(material.name));
-    const bool textured = made.texture >= 0 || made.emission_texture >= 0;
-    return {static_cast<int>(scene_.materials.size()) - 1, textured ? texture.uv_set : -1, texture.repeats, texture.uv};
+    return {static_cast<int>(scene_.materials.size()) - 1, texture.texture >= 0 ? texture.uv_set : -1, texture.uv};
 }
 
 PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture) {
@@ -75,7 +84,7 @@ PbrSurface GltfMaterials::metallic_surface(const tinygltf::PbrMetallicRoughness&
                             find_extension(pbr.baseColorTexture.extensions, transform_extension));
     glm::dvec3 tint(1.0);
     if (texture.texture >= 0 && metallic > 0.0) {
-        tint = srgb_decoded(glm::dvec3(mean_colour(scene_.textures[static_cast<std::size_t>(texture.texture)])));
+        tint = srgb_decoded(glm::dvec3(mean_of(texture.texture)));
     }
     PbrSurface surface = metallic_roughness(base * tint, metallic, roughness);
     surface.base = base;  // the texture itself tints what is scattered
@@ -97,7 +106,13 @@ PbrSurface GltfMaterials::glossy_surface(const tinygltf::Value& extension, Textu
                                in_range(number_or(extension, "glossinessFactor", 1.0)));
 }
 
-/// Corners here have one pair of coordinates, so an image with other ones than those of `base` counts by its mean.
+/// Corners here have one pair of coordinates, those of the first image that a material has. Whether they are those of
+/// `image` too.
+bool GltfMaterials::share_place(TextureUse& base, const TextureUse& image) {
+    if (base.texture < 0) base = image;
+    return base.same_place(image);
+}
+
 void GltfMaterials::add_emission(const tinygltf::Material& material, TextureUse& base, Material& made) {
     if (std::ranges::none_of(material.emissiveFactor, [](double e) { return e != 0.0; })) return;
     double strength = 1.0;
@@ -112,18 +127,37 @@ void GltfMaterials::add_emission(const tinygltf::Material& material, TextureUse&
     const TextureUse image = scene_texture(material.emissiveTexture.index, material.emissiveTexture.texCoord,
                                            find_extension(material.emissiveTexture.extensions, transform_extension));
     if (image.texture < 0) return;
-    if (base.texture < 0) base = {-1, image.uv_set, image.repeats, image.uv};
-    if (image.uv_set == base.uv_set && image.uv == base.uv) {
+    if (share_place(base, image)) {
         made.emission_texture = image.texture;
     } else {
-        made.emission *= mean_colour(scene_.textures[static_cast<std::size_t>(image.texture)]);
+        made.emission *= mean_of(image.texture);
         context_.count("replaced", "emissive texture", " by its mean, as it has its own coordinates");
     }
 }
 
-void GltfMaterials::note_omissions(const tinygltf::Material& material) {
-    if (material.normalTexture.index >= 0) context_.count("ignored", "normal map");
-    if (material.alphaMode != "OPAQUE") context_.count("shown", "transparent material", " as opaque");
+void GltfMaterials::add_normals(const tinygltf::Material& material, TextureUse& base, Material& made) {
+    const TextureUse image =
+        scene_texture(material.normalTexture.index, material.normalTexture.texCoord,
+                      find_extension(material.normalTexture.extensions, transform_extension), TexelKind::normal);
+    if (image.texture < 0) return;
+    if (!share_place(base, image)) {
+        context_.count("ignored", "normal map", ", as it has its own coordinates");
+        return;
+    }
+    made.normal_texture = image.texture;
+    made.normal_scale = static_cast<float>(material.normalTexture.scale);
+}
+
+/// `alpha` is the factor on that of the base texture, 0..1.
+void GltfMaterials::add_mask(const tinygltf::Material& material, double alpha, Material& made) {
+    if (material.alphaMode == "MASK") {
+        const double cutoff = std::max(material.alphaCutoff, 0.0);
+        constexpr double above_all = 2.0;
+        made.alpha_cutoff =
+            static_cast<float>(alpha > 0.0 ? std::min(cutoff / alpha, above_all) : above_all * (cutoff > 0.0));
+    } else if (material.alphaMode != "OPAQUE") {
+        context_.count("shown", "transparent material", " as opaque");
+    }
 }
 
 /// The image behind a texture of the file; -1 where there is none, noted where there should be.
@@ -137,24 +171,37 @@ int GltfMaterials::image_of_texture(int texture) {
     return -1;
 }
 
-GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, const tinygltf::Value* transform) {
+GltfMaterials::ImageUse GltfMaterials::sampled_image(int texture, int image, TexelKind kind) {
+    ImageUse use{.image = image, .kind = kind};
+    const int index = model_.textures[static_cast<std::size_t>(texture)].sampler;
+    if (!names_one_of(index, model_.samplers.size())) return use;
+    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(index)];
+    use.wrap_x = wrap_of(sampler.wrapS);
+    use.wrap_y = wrap_of(sampler.wrapT);
+    // -1 leaves the choice to us.
+    use.mip_maps =
+        sampler.minFilter != TINYGLTF_TEXTURE_FILTER_NEAREST && sampler.minFilter != TINYGLTF_TEXTURE_FILTER_LINEAR;
+    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST)
+        context_.count("smoothed", "texture", " whose texels should be seen");
+    return use;
+}
+
+int GltfMaterials::texture_of(const ImageUse& use) {
+    const auto known = texture_of_image_.find(use);
+    if (known != texture_of_image_.end()) return known->second;
+    Image<Rgba8> image = decode_gltf_image(context_, model_, static_cast<std::size_t>(use.image), pixels_left_);
+    Texture made = use.mip_maps ? mip_mapped_texture(std::move(image), use.kind) : plain_texture(std::move(image));
+    made.wrap_x = use.wrap_x;
+    made.wrap_y = use.wrap_y;
+    scene_.textures.push_back(std::move(made));
+    return texture_of_image_[use] = static_cast<int>(scene_.textures.size()) - 1;
+}
+
+GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, const tinygltf::Value* transform,
+                                                       TexelKind kind) {
     const int image = image_of_texture(texture);
     if (image < 0) return {};
-    TextureUse use{.texture = -1, .uv_set = uv_set, .repeats = true, .uv = {}};
-    const auto known = texture_of_image_.find(image);
-    if (known != texture_of_image_.end()) {
-        use.texture = known->second;
-    } else {
-        scene_.textures.push_back(decode_gltf_image(context_, model_, static_cast<std::size_t>(image), pixels_left_));
-        use.texture = static_cast<int>(scene_.textures.size()) - 1;
-        texture_of_image_[image] = use.texture;
-    }
-
-    const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
-    if (names_one_of(sampler, model_.samplers.size())) {
-        const tinygltf::Sampler& wrap = model_.samplers[static_cast<std::size_t>(sampler)];
-        use.repeats = wrap.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && wrap.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
-    }
+    TextureUse use{.texture = texture_of(sampled_image(texture, image, kind)), .uv_set = uv_set, .uv = {}};
     if (transform != nullptr) {
         const std::vector<double> offset = numbers_or(*transform, "offset", {0.0, 0.0});
         const std::vector<double> scale = numbers_or(*transform, "scale", {1.0, 1.0});
@@ -162,6 +209,10 @@ GltfMaterials::TextureUse GltfMaterials::scene_texture(int texture, int uv_set, 
         use.uv_set = find_index(*transform, "texCoord").value_or(uv_set);
     }
     return use;
+}
+
+Vec3 GltfMaterials::mean_of(int texture) const {
+    return mean_colour(scene_.textures[static_cast<std::size_t>(texture)].levels.front());
 }
 
 double GltfMaterials::in_range(double factor) {

@@ -24,8 +24,7 @@ struct UvTransform {
 /// A material of the scene, and which texture coordinates its primitives must bring.
 struct MaterialUse {
     int material = 0;
-    int uv_set = -1;      // n of TEXCOORD_n; -1 where it has no texture
-    bool repeats = true;  // the file wants it so beyond the edges of its texture; it is so in any case
+    int uv_set = -1;  // n of TEXCOORD_n; -1 where it has no texture
     UvTransform uv;
 };
 
@@ -42,16 +41,34 @@ class GltfMaterials {
     struct TextureUse {
         int texture = -1;  // of the scene
         int uv_set = 0;
-        bool repeats = true;
         UvTransform uv;
+
+        [[nodiscard]] bool same_place(const TextureUse& other) const {
+            return uv_set == other.uv_set && uv == other.uv;
+        }
+    };
+    /// What a texture of the scene is made of: the file's image, KD_WRAP_... each way, whether with mip maps.
+    struct ImageUse {
+        int image = 0;
+        int wrap_x = KD_WRAP_REPEAT, wrap_y = KD_WRAP_REPEAT;
+        bool mip_maps = true;
+        TexelKind kind = TexelKind::colour;
+
+        auto operator<=>(const ImageUse&) const = default;
     };
     MaterialUse add(int index);
     PbrSurface metallic_surface(const tinygltf::PbrMetallicRoughness& pbr, TextureUse& texture);
     PbrSurface glossy_surface(const tinygltf::Value& extension, TextureUse& texture);
     void add_emission(const tinygltf::Material& material, TextureUse& base, Material& made);
-    void note_omissions(const tinygltf::Material& material);
+    void add_normals(const tinygltf::Material& material, TextureUse& base, Material& made);
+    void add_mask(const tinygltf::Material& material, double alpha, Material& made);
     int image_of_texture(int texture);
-    TextureUse scene_texture(int texture, int uv_set, const tinygltf::Value* transform);
+    ImageUse sampled_image(int texture, int image, TexelKind kind);
+    int texture_of(const ImageUse& use);
+    TextureUse scene_texture(int texture, int uv_set, const tinygltf::Value* transform,
+                             TexelKind kind = TexelKind::colour);
+    bool share_place(TextureUse& base, const TextureUse& image);
+    [[nodiscard]] Vec3 mean_of(int texture) const;
     double in_range(double factor);
     glm::dvec3 in_range(const std::vector<double>& factors);
 
@@ -59,7 +76,7 @@ class GltfMaterials {
     const tinygltf::Model& model_;
     Scene& scene_;
     std::map<int, MaterialUse> uses_;
-    std::map<int, int> texture_of_image_;
+    std::map<ImageUse, int> texture_of_image_;
     std::uint64_t pixels_left_;
 };
 

@@ -140,22 +140,12 @@ std::vector<std::uint32_t> triangle_indices(GltfContext& context, const tinygltf
     return indices;
 }
 
-/// Within half a thousandth of a texture's width, no clamping or mirroring shows.
-bool leaves_texture(Vec2 uv) {
-    const Vec2 beyond = glm::abs(uv - 0.5f);
-    return beyond.x > 0.5005f || beyond.y > 0.5005f;
-}
-
 std::vector<Vec2> read_uvs(GltfContext& context, const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                            const MaterialUse& material, std::size_t vertices) {
     const int accessor = attribute(primitive, "TEXCOORD_" + std::to_string(material.uv_set));
     if (accessor < 0) context.count("found no texture coordinates in", "primitive", " with a texture");
     std::vector<Vec2> uvs = read_companion<Vec2>(context, model, accessor, vertices, "texture coordinates");
     for (Vec2& uv : uvs) uv = material.uv.apply(uv);
-    if (!material.repeats && std::ranges::any_of(uvs, leaves_texture)) {
-        context.count("repeated the texture of", "primitive",
-                      " beyond its edges, where it should be clamped or mirrored");
-    }
     return uvs;
 }
 

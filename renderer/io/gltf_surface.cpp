@@ -45,7 +45,8 @@ Material to_material(const PbrSurface& surface, int texture) {
     material.reflectance = Vec3(mirrored);
     material.shininess = static_cast<float>(std::clamp(shininess, 2.0, 1024.0));
     material.texture = texture;
-    material.emission_texture = -1;
+    material.emission_texture = material.normal_texture = -1;
+    material.normal_scale = 1.0f;
     return material;
 }
 

@@ -21,11 +21,13 @@ class DoubleKernel {
 #define KD_RULES KD_RULES_ROBUST
 #define KD_TRAVERSE traverse_all
 #define KD_TEST_LEAF test_leaf
+#include "shaders/shared/texture.glsl"
 #include "shaders/shared/vector.glsl"
 // Each uses the ones before it.
 #include "shaders/shared/ray.glsl"
 // clang-format off
 #include "shaders/shared/box.glsl"
+#include "shaders/shared/mask.glsl"
 #include "shaders/shared/triangle.glsl"
 #include "shaders/shared/leaf.glsl"
 #include "shaders/shared/traverse_naive.glsl"
@@ -59,6 +61,10 @@ class DoubleKernel {
     int step_budget() const { return std::numeric_limits<int>::max(); }
     bool scene_has_normals() const { return scene_.has_normals; }
     bool scene_has_textures() const { return !scene_.textures.empty(); }
+    bool scene_has_mip_maps() const { return true; }
+    bool scene_has_wraps() const { return true; }
+    bool scene_has_normal_maps() const { return !scene_.textures.empty(); }
+    bool scene_has_masks() const { return true; }
     bool shadows_enabled() const { return shadows_; }
     bool scene_has_highlights() const { return true; }
     bool scene_has_emission() const { return true; }
@@ -90,24 +96,26 @@ class DoubleKernel {
         b = real3(normal[1]);
         c = real3(normal[2]);
     }
-    real2 fetch_texture_coordinates(int triangle, real u, real v) const {
+    void fetch_texture_coordinates(int triangle, real2& a, real2& b, real2& c) const {
         const auto& uv = scene_.attributes[std::size_t(triangle)].uv;
-        const real w = real(1) - u - v;
-        return real2(uv[0]) * w + real2(uv[1]) * u + real2(uv[2]) * v;
+        a = real2(uv[0]);
+        b = real2(uv[1]);
+        c = real2(uv[2]);
     }
-    int2 fetch_texture_size(int texture) const {
-        const Image<Rgba8>& image = scene_.textures[std::size_t(texture)];
-        return {image.width, image.height};
+    TextureImage fetch_texture(int texture) const {
+        const kd::TextureImage& image = scene_.textures[std::size_t(texture)];
+        return {image.first, image.width, image.height, image.levels, image.wrap_x, image.wrap_y};
     }
-    real3 fetch_texel(int texture, int x, int y) const {
-        const Rgba8 c = scene_.textures[std::size_t(texture)].at(x, y);
-        return real3(c.r, c.g, c.b) / real(255);
+    real4 fetch_texel(int index) const {
+        const Rgba8 c = scene_.texels[std::size_t(index)];
+        return real4(c.r, c.g, c.b, c.a);
     }
     int fetch_material_index(int triangle) const { return scene_.attributes[std::size_t(triangle)].material; }
     Material fetch_material(int index) const {
         const kd::Material& m = scene_.materials[std::size_t(index)];
         return {real3(m.diffuse), real3(m.specular), real3(m.reflectance), real3(m.emission),
-                m.shininess,      m.texture,         m.emission_texture,   m.roughness};
+                m.shininess,      m.texture,         m.emission_texture,   m.roughness,
+                m.normal_texture, m.normal_scale,    m.alpha_cutoff};
     }
     Light fetch_light(int index) const {
         const kd::Light& l = scene_.lights[std::size_t(index)];

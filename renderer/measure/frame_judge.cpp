@@ -16,7 +16,7 @@ std::optional<Ray> ray_of_pixel(const FlatScene& scene, const PinholeCamera& cam
     if (rays == Pass::rt_prim) return primary;
     const Hit& mirror = frame.layer(Pass::rt_prim).hit.pixels[i];
     if (mirror.triangle < 0) return std::nullopt;
-    const SampledPixel at{frame.sampling, {x, y}};
+    const SampledPixel at{frame.sampling, {x, y}, pixel_spread(camera, frame.width, frame.height)};
     return (rays == Pass::rt_indirect ? scatter_hit : reflect_hit)(scene, primary, mirror, at).ray;
 }
 

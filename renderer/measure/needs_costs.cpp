@@ -62,7 +62,7 @@ std::int64_t feature_bytes(Feature feature, const FlatScene& scene, const KdTree
     with.forced.set(feature, true);
     without.forced.set(feature, false);
     const auto bytes = [&](const SceneNeeds& needs) {
-        return cpu ? cpu_table_bytes(tree, needs, mode_in_force(*cpu, config))
+        return cpu ? cpu_table_bytes(tree, needs, mode_in_force(*cpu, config, needs.masks))
                    : planned_memory(scene, tree, needs, width, height).total();
     };
     return bytes(scene_needs(facts, with)) - bytes(stripped(scene_needs(facts, without), info(feature)));

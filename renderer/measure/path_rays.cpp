@@ -22,11 +22,8 @@ auto with_kernel(const FlatScene& scene, const Use& use, const Sampling& samplin
     SceneView view(scene, no_tree);
     TraceConfig naive;
     naive.sampling = sampling;
-    const bool sampled = sampling.sample >= 0;
-    view.needs.normals = scene.has_normals;
-    view.needs.gloss = sampled && sampling.gloss;
-    view.needs.indirect = sampled && sampling.indirect;
     naive.traversal = Traversal::naive;
+    view.needs = scene_needs(view.facts, naive);
     NullObserver observer;
     PlainKernel kernel(view, naive, observer);
     return use(kernel);
@@ -54,7 +51,7 @@ std::vector<Ray> rays_from(const FlatScene& scene, std::span<const Ray> arriving
     return with_kernel(scene, [&](PlainKernel& kernel) {
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < hits.size(); ++i)
-            if (hits[i].triangle >= 0) rays.push_back(leave(kernel, kernel.surface_at(arriving[i], hits[i])));
+            if (hits[i].triangle >= 0) rays.push_back(leave(kernel, kernel.surface_at(arriving[i], hits[i], 0.0f)));
         return rays;
     });
 }
@@ -63,7 +60,7 @@ std::vector<Ray> rays_from(const FlatScene& scene, std::span<const Ray> arriving
 
 LeavingRay leave_hit(const FlatScene& scene, const Ray& arriving, const Hit& hit, Vec3 direction, float t_max) {
     return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
-        const auto surface = kernel.surface_at(arriving, hit);
+        const auto surface = kernel.surface_at(arriving, hit, 0.0f);
         return {kernel.leave_surface(surface, direction, t_max), surface.position, surface.geometric};
     });
 }
@@ -77,8 +74,8 @@ LeavingRay leave_sampled(const FlatScene& scene, const Ray& arriving, const Hit&
     return with_kernel(
         scene,
         [&](PlainKernel& kernel) -> LeavingRay {
-            const auto surface = kernel.surface_at(arriving, hit);
-            const PlainKernel::Path path{arriving, hit, Vec3(1), at.pixel, KD_LEG_PRIMARY};
+            const PlainKernel::Path path{arriving, hit, Vec3(1), at.pixel, KD_LEG_PRIMARY, 0.0f, at.spread};
+            const auto surface = kernel.surface_of(path);
             return {go_on(kernel, path).ray, surface.position, surface.geometric};
         },
         at.sampling);
@@ -98,7 +95,7 @@ LeavingRay scatter_hit(const FlatScene& scene, const Ray& arriving, const Hit& h
 
 LeavingRay shadow_ray(const FlatScene& scene, const Ray& arriving, const Hit& hit, const Light& light) {
     return with_kernel(scene, [&](PlainKernel& kernel) -> LeavingRay {
-        const auto surface = kernel.surface_at(arriving, hit);
+        const auto surface = kernel.surface_at(arriving, hit, 0.0f);
         const auto sample = kernel.sample_light(light, surface.position, 0);
         return {kernel.shadow_ray(surface, sample), surface.position, surface.geometric};
     });
@@ -116,6 +113,11 @@ std::vector<Ray> leave_hits(const FlatScene& scene, std::span<const Ray> arrivin
     return rays_from(scene, arriving, hits, [&](PlainKernel& kernel, const auto& surface) {
         return kernel.leave_surface(surface, direction(surface.geometric), KD_T_LIMIT);
     });
+}
+
+float pixel_spread(const PinholeCamera& camera, int width, int height) {
+    const FlatScene none;
+    return with_kernel(none, [&](PlainKernel& kernel) { return kernel.pixel_spread(camera, int2(width, height)); });
 }
 
 Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height) {

@@ -26,6 +26,7 @@ struct LeavingRay {
 struct SampledPixel {
     Sampling sampling{};
     int2 pixel{0, 0};
+    float spread = 0.0f;  // of the cone that it sees: see shaders/shared/path.glsl
 };
 
 /// The ray that trace_reflection() would trace after this hit of a primary ray.
@@ -45,6 +46,9 @@ struct SampledPixel {
 /// leave_hit() of those that hit something, towards what `direction` says of the geometric normal.
 [[nodiscard]] std::vector<Ray> leave_hits(const FlatScene& scene, std::span<const Ray> arriving,
                                           std::span<const Hit> hits, const std::function<Vec3(Vec3)>& direction);
+
+/// Of the cones that the pixels of an image see.
+[[nodiscard]] float pixel_spread(const PinholeCamera& camera, int width, int height);
 
 /// The primary ray of a pixel.
 [[nodiscard]] Ray pixel_ray(const PinholeCamera& camera, int x, int y, int width, int height);

@@ -99,6 +99,20 @@ FeatureNeed textures(Facts f, Config) {
     return f.textures ? needed("a material has an image") : idle("no textured material");
 }
 
+FeatureNeed mip_maps(Facts f, Config) {
+    return f.mip_maps ? needed("an image has mip maps") : idle("no image has mip maps");
+}
+
+FeatureNeed wraps(Facts f, Config) {
+    return f.wraps ? needed("an image is clamped or mirrored") : idle("all images repeat");
+}
+
+FeatureNeed normal_maps(Facts f, Config) {
+    return f.normal_maps ? needed("a material has an image of normals") : idle("no material has an image of normals");
+}
+
+FeatureNeed masks(Facts f, Config) { return f.masks ? needed("a material has holes") : idle("no material has holes"); }
+
 FeatureNeed normals(Facts f, Config) {
     return f.normals ? needed("vertex normals differ from the flat ones") : idle("all normals are flat");
 }
@@ -193,6 +207,17 @@ constexpr std::array table{
     FeatureInfo{Feature::textures, "textures", "texture fetch",
                 "Texture coordinates of every corner, the images, and four texels per hit.", &SceneNeeds::textures,
                 true, textures},
+    FeatureInfo{Feature::mip_maps, "mip-maps", "mip maps",
+                "How much of an image a pixel sees, and eight texels of two of its levels rather than four.",
+                &SceneNeeds::mip_maps, true, mip_maps},
+    FeatureInfo{Feature::wraps, "wraps", "clamped and mirrored images",
+                "The question at each texel how its image goes on beyond its edges.", &SceneNeeds::wraps, true, wraps},
+    FeatureInfo{Feature::normal_maps, "normal-maps", "normal maps",
+                "Tangents from the corners' texture coordinates, and a look at the image of normals, at each hit.",
+                &SceneNeeds::normal_maps, true, normal_maps},
+    FeatureInfo{Feature::masks, "masks", "alpha masks",
+                "Four texels for each triangle that a ray meets, before that is a hit.", &SceneNeeds::masks, true,
+                masks},
     FeatureInfo{Feature::normals, "normals", "interpolated normals", "Three normals per triangle, blended at each hit.",
                 &SceneNeeds::normals, true, normals},
     FeatureInfo{Feature::material_numbers, "material-numbers", "material numbers",

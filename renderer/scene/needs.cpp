@@ -27,6 +27,11 @@ namespace {
 
 float largest(Vec3 colour) { return std::max({colour.x, colour.y, colour.z}); }
 
+void add_image(SceneFacts& facts, const TextureImage& image) {
+    facts.mip_maps = facts.mip_maps || image.levels > 1;
+    facts.wraps = facts.wraps || image.wrap_x != KD_WRAP_REPEAT || image.wrap_y != KD_WRAP_REPEAT;
+}
+
 }  // namespace
 
 SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
@@ -48,6 +53,10 @@ SceneFacts scene_facts(const FlatScene& scene, const KdTree& tree) {
         const bool emits = material.emission != Vec3(0.0f);
         facts.emission = facts.emission || emits;
         facts.textures = facts.textures || material.texture >= 0 || (emits && material.emission_texture >= 0);
+        facts.normal_maps = facts.normal_maps || material.normal_texture >= 0;
+        facts.masks = facts.masks || material.alpha_cutoff > 0.0f;
+        for (const int texture : {material.texture, emits ? material.emission_texture : -1, material.normal_texture})
+            if (texture >= 0) add_image(facts, scene.textures[std::size_t(texture)]);
         facts.diffuse = facts.diffuse || largest(material.diffuse) > 0.0f;
         if (largest(material.reflectance) > 0.0f)
             facts.roughest_reflection = std::max(facts.roughest_reflection, material.roughness);

@@ -24,7 +24,11 @@ struct SceneFacts {
     bool diffuse = false;              // one of these scatters light
     float roughest_reflection = 0.0f;  // of these that reflect, 0..1
     int large_lights = 0;              // with a radius
-    bool textures = false;             // one of these has an image
+    bool textures = false;             // one of these has an image of what it scatters or emits
+    bool mip_maps = false;             // an image of these has coarser copies
+    bool wraps = false;                // one does not repeat
+    bool normal_maps = false;          // one of these has an image of normals
+    bool masks = false;                // one of these has holes
     bool normals = false;              // FlatScene::has_normals
     int deepest_leaf = 0;              // levels below the root
 };
@@ -46,6 +50,10 @@ struct SceneNeeds {
     bool gloss = false;
     bool indirect = false;  // RTIndirect and ShadeIndirect run
     bool textures = false;
+    bool mip_maps = false;
+    bool wraps = false;
+    bool normal_maps = false;
+    bool masks = false;
     bool normals = false;
     bool material_numbers = false;
     bool wide_references = false;
@@ -61,6 +69,9 @@ struct SceneNeeds {
     int lights = 0;               // where there are not many
     int only_material = 0;        // where there are no material numbers
     int levels = max_tree_depth;  // of the tree that stacks have room for
+
+    /// Whether images, and the places of corners on them, are looked at at all.
+    [[nodiscard]] bool images() const { return textures || normal_maps || masks; }
 
     bool operator==(const SceneNeeds&) const = default;
 };

@@ -13,7 +13,8 @@ Material glossy(Vec3 colour, float specular, float shininess) {
     material.specular = Vec3(specular);
     material.reflectance = Vec3(0.0f);
     material.shininess = shininess;
-    material.texture = material.emission_texture = -1;
+    material.texture = material.emission_texture = material.normal_texture = -1;
+    material.normal_scale = 1.0f;
     return material;
 }
 

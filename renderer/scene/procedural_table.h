@@ -10,7 +10,8 @@
     SCENE(rooms)                                                                                                       \
     SCENE(scatter)                                                                                                     \
     SCENE(sheet)                                                                                                       \
-    SCENE(cornell)
+    SCENE(cornell)                                                                                                     \
+    SCENE(topiary)
 
 namespace kd {
 

@@ -202,7 +202,7 @@ FlatScene flatten(const Scene& scene, const FlatScene* like) {
     flat.name = scene.name;
     flat.materials = scene.materials;
     if (flat.materials.empty()) flat.materials.push_back(default_material());
-    flat.textures = scene.textures;
+    for (const Texture& texture : scene.textures) add_texture(flat, texture);
     flat.ambient = scene.ambient;
     flat.background = scene.background;
     flat.notes = scene.notes;
@@ -226,6 +226,15 @@ FlatScene flatten(const Scene& scene, const FlatScene* like) {
 }
 
 }  // namespace
+
+int add_texture(FlatScene& scene, const Texture& texture) {
+    const Image<Rgba8>& whole = texture.levels.front();
+    scene.textures.push_back({int(scene.texels.size()), whole.width, whole.height, int(texture.levels.size()),
+                              texture.wrap_x, texture.wrap_y});
+    for (const Image<Rgba8>& level : texture.levels)
+        scene.texels.insert(scene.texels.end(), level.pixels.begin(), level.pixels.end());
+    return int(scene.textures.size()) - 1;
+}
 
 FlatScene flatten(const Scene& scene) { return flatten(scene, nullptr); }
 

@@ -12,6 +12,7 @@
 #include "renderer/geometry/image.h"
 #include "renderer/geometry/triangle.h"
 #include "renderer/scene/camera.h"
+#include "renderer/scene/texture.h"
 
 namespace kd {
 
@@ -39,7 +40,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Material> materials;  // see shaders/shared/types.glsl
     std::vector<std::string> material_names;
-    std::vector<Image<Rgba8>> textures;
+    std::vector<Texture> textures;
     std::vector<Light> lights;
     Vec3 ambient{0.12f};
     Vec3 background{0.10f, 0.11f, 0.13f};
@@ -62,7 +63,8 @@ struct FlatScene {
     std::vector<TriangleAttributes> attributes;
     std::vector<std::uint32_t> kept;  // what number each triangle had before some were dropped; empty where none was
     std::vector<Material> materials;  // never empty
-    std::vector<Image<Rgba8>> textures;
+    std::vector<TextureImage> textures;
+    std::vector<Rgba8> texels;  // of all of them: see shaders/shared/types.glsl
     std::vector<Light> lights;
     Vec3 ambient{0.0f};
     Vec3 background{0.0f};
@@ -81,6 +83,9 @@ struct FlatScene {
     const TriangleAttributes& t = scene.attributes[std::size_t(triangle)];
     return {t.normal[0], t.normal[1], t.normal[2]};
 }
+
+/// Puts a texture behind those that the scene has; its number among them.
+int add_texture(FlatScene& scene, const Texture& texture);
 
 /// Applies the instance transforms (in double), drops triangles that are degenerate or not finite (counted in `notes`),
 /// replaces bad vertex normals by geometric ones, fits a camera and adds a light where the scene has none.

@@ -35,20 +35,30 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials) {
             fmt::format("{}: material {} is not one of the scene's {}; correct it", place, mesh.material, materials));
 }
 
+void check_levels(const std::vector<Image<Rgba8>>& levels, std::size_t texture) {
+    if (levels.empty()) throw InputError(fmt::format("texture {}: there is no image; give one", texture));
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const Image<Rgba8>& image = levels[i];
+        if (image.width < 1 || image.height < 1 ||
+            image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
+            throw InputError(fmt::format("texture {}: the image has no pixels; give at least one", texture));
+        if (i > 0 && (image.width != std::max(levels[i - 1].width / 2, 1) ||
+                      image.height != std::max(levels[i - 1].height / 2, 1)))
+            throw InputError(
+                fmt::format("texture {}: level {} is not half of the one before it; halve it", texture, i));
+    }
+}
+
 void check_textures(const Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        for (const int texture : {scene.materials[i].texture, scene.materials[i].emission_texture})
+        const Material& material = scene.materials[i];
+        for (const int texture : {material.texture, material.emission_texture, material.normal_texture})
             if (texture >= 0 && !names_one_of(texture, scene.textures.size()))
                 throw InputError(
                     fmt::format("material {}: texture {} is not one of the scene's {}; correct it, or use -1 for none",
                                 i, texture, scene.textures.size()));
     }
-    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
-        const Image<Rgba8>& image = scene.textures[i];
-        if (image.width < 1 || image.height < 1 ||
-            image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
-            throw InputError(fmt::format("texture {}: the image has no pixels; give at least one", i));
-    }
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) check_levels(scene.textures[i].levels, i);
 }
 
 }  // namespace

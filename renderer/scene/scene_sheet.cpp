@@ -107,7 +107,7 @@ class WaveMotion : public Motion {
 Scene make_sheet(int size, unsigned seed) {
     Scene scene;
     Random random(seed);
-    scene.textures.push_back(chequers());
+    scene.textures.push_back(plain_texture(chequers()));
     Material material = glossy(Vec3(0.95f), 0.12f, 40.0f);
     material.texture = 0;
     const Waves waves = random_waves(random);

@@ -6,7 +6,7 @@ layout(rgba32f, binding = 4) restrict writeonly uniform image2D kd_weight;
 void leave_path(int2 pixel, Path path)
 {
     leave_hit(pixel, path.hit);
-    KD_STORE(kd_direction, pixel, vec4(path.ray.direction, 0.0));
+    KD_STORE(kd_direction, pixel, vec4(path.ray.direction, path.width));
     KD_STORE(kd_weight, pixel, vec4(path.weight, float(path.leg)));
 }
 

@@ -9,6 +9,6 @@ void end_path(int2 pixel) {}
 void leave_path(int2 pixel, Path path)
 {
     leave_hit(pixel, path.hit);
-    out_direction = vec4(path.ray.direction, 0.0);
+    out_direction = vec4(path.ray.direction, path.width);
     out_weight = vec4(path.weight, float(path.leg));
 }

@@ -13,6 +13,7 @@
 #define AXIS(vector, axis) (vector)[axis]
 #define PRECISE precise
 #define KD_FN
+#define KD_CALL_FN // a call even where C++ puts all else into one function: long, and few rays come there
 #define KD_CONST(T) const T
 // By its bits: GLSL compilers may assume that no comparison sees a NaN.
 #define IS_NAN(x) ((floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u)

@@ -7,12 +7,8 @@ layout(binding = 12) uniform sampler2D kd_path_weight;
 /// The primary ray's path, from RTPrim's hit.
 Path primary_path(int2 pixel)
 {
-    Path path;
-    path.ray = camera_ray(frame_camera(), pixel, frame.image.xy);
+    Path path = primary_leg(frame_camera(), pixel, frame.image.xy);
     path.hit = unpack_hit(texelFetch(kd_path_hit, pixel, 0));
-    path.weight = real3(1, 1, 1);
-    path.pixel = pixel;
-    path.leg = KD_LEG_PRIMARY;
     return path;
 }
 
@@ -21,7 +17,8 @@ Path reflected_path(int2 pixel)
 {
     Path path;
     path.ray.origin = real3(0, 0, 0);
-    path.ray.direction = texelFetch(kd_path_direction, pixel, 0).xyz;
+    vec4 direction = texelFetch(kd_path_direction, pixel, 0);
+    path.ray.direction = direction.xyz;
     path.ray.t_min = 0.0;
     path.ray.t_max = KD_T_LIMIT;
     path.ray.source = -1;
@@ -30,6 +27,8 @@ Path reflected_path(int2 pixel)
     path.weight = weight.xyz;
     path.pixel = pixel;
     path.leg = int(weight.w);
+    path.width = direction.w;
+    path.spread = path.leg == KD_LEG_INDIRECT ? 0.0 : pixel_spread(frame_camera(), frame.image.xy);
     return path;
 }
 

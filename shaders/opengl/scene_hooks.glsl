@@ -87,15 +87,11 @@ void fetch_normals(int triangle, out real3 a, out real3 b, out real3 c)
     c = texelFetch(kd_normals, 3 * triangle + 2).xyz;
 }
 
-real2 fetch_texture_coordinates(int triangle, real u, real v)
+void fetch_texture_coordinates(int triangle, out real2 a, out real2 b, out real2 c)
 {
-    real2 a = texelFetch(kd_uv, 3 * triangle).xy;
-    real2 b = texelFetch(kd_uv, 3 * triangle + 1).xy;
-    real2 c = texelFetch(kd_uv, 3 * triangle + 2).xy;
-    precise real w = 1.0 - u - v;
-    precise real x = a.x * w + b.x * u + c.x * v;
-    precise real y = a.y * w + b.y * u + c.y * v;
-    return real2(x, y);
+    a = texelFetch(kd_uv, 3 * triangle).xy;
+    b = texelFetch(kd_uv, 3 * triangle + 1).xy;
+    c = texelFetch(kd_uv, 3 * triangle + 2).xy;
 }
 
 int fetch_material_index(int triangle)
@@ -109,9 +105,10 @@ int fetch_material_index(int triangle)
 
 Material fetch_material(int index)
 {
-    uvec4 first = texelFetch(kd_tables, 4 * index);
-    uvec4 second = texelFetch(kd_tables, 4 * index + 1);
-    uvec4 third = texelFetch(kd_tables, 4 * index + 2);
+    int at = 5 * index;
+    uvec4 first = texelFetch(kd_tables, at);
+    uvec4 second = texelFetch(kd_tables, at + 1);
+    uvec4 third = texelFetch(kd_tables, at + 2);
     Material m;
     m.diffuse = uintBitsToFloat(first.xyz);
     m.specular = uintBitsToFloat(second.xyz);
@@ -122,12 +119,21 @@ Material fetch_material(int index)
     m.emission_texture = -1;
     m.roughness = 0.0;
 #if KD_EMISSION || KD_GLOSS
-    uvec4 fourth = texelFetch(kd_tables, 4 * index + 3);
+    uvec4 fourth = texelFetch(kd_tables, at + 3);
     m.roughness = uintBitsToFloat(fourth.w);
 #endif
 #if KD_EMISSION
     m.emission = uintBitsToFloat(fourth.xyz);
     m.emission_texture = int(third.w);
+#endif
+    m.normal_texture = -1;
+    m.normal_scale = 1.0;
+    m.alpha_cutoff = 0.0;
+#if KD_NORMAL_MAPS || KD_MASKS
+    uvec4 fifth = texelFetch(kd_tables, at + 4);
+    m.normal_texture = int(fifth.x);
+    m.normal_scale = uintBitsToFloat(fifth.y);
+    m.alpha_cutoff = uintBitsToFloat(fifth.z);
 #endif
     return m;
 }
@@ -152,16 +158,15 @@ Light fetch_light(int index)
     return light;
 }
 
-int2 fetch_texture_size(int index)
+TextureImage fetch_texture(int index)
 {
-    return int2(texelFetch(kd_tables, scene.counts.w + index).yz);
+    int4 image = int4(texelFetch(kd_tables, scene.counts.w + index));
+    return TextureImage(image.x, image.y, image.z, image.w & 255, (image.w >> 8) & 255, image.w >> 16);
 }
 
-/// Integer texels, divided here: exactly what the CPU does.
-real3 fetch_texel(int index, int x, int y)
+real4 fetch_texel(int index)
 {
-    uvec4 image = texelFetch(kd_tables, scene.counts.w + index);
-    return real3(texelFetch(kd_texels, int(image.x) + y * int(image.y) + x).xyz) / 255.0;
+    return real4(texelFetch(kd_texels, index));
 }
 
 int triangle_count() { return scene.counts.x; }
@@ -169,6 +174,10 @@ int light_count() { return KD_LIGHTS < 0 ? scene.counts.y : KD_LIGHTS; }
 int step_budget() { return scene.limits.x; }
 bool scene_has_normals() { return KD_NORMALS != 0; }
 bool scene_has_textures() { return KD_TEXTURES != 0; }
+bool scene_has_mip_maps() { return KD_MIP_MAPS != 0; }
+bool scene_has_wraps() { return KD_WRAPS != 0; }
+bool scene_has_normal_maps() { return KD_NORMAL_MAPS != 0; }
+bool scene_has_masks() { return KD_MASKS != 0; }
 bool shadows_enabled() { return KD_SHADOWS != 0; }
 bool scene_has_highlights() { return KD_HIGHLIGHTS != 0; }
 bool scene_has_emission() { return KD_EMISSION != 0; }

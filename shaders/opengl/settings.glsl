@@ -27,6 +27,18 @@
 #ifndef KD_TEXTURES
 #define KD_TEXTURES 1
 #endif
+#ifndef KD_MIP_MAPS
+#define KD_MIP_MAPS 1
+#endif
+#ifndef KD_WRAPS
+#define KD_WRAPS 1
+#endif
+#ifndef KD_NORMAL_MAPS
+#define KD_NORMAL_MAPS 1
+#endif
+#ifndef KD_MASKS
+#define KD_MASKS 1
+#endif
 #ifndef KD_SHADOWS
 #define KD_SHADOWS 1
 #endif

@@ -23,6 +23,11 @@ KD_CONST(int) KD_VISIT_BOTH = 2;
 KD_CONST(int) KD_LEG_PRIMARY = 0;
 KD_CONST(int) KD_LEG_INDIRECT = -1;
 
+// How an image goes on beyond its edges.
+KD_CONST(int) KD_WRAP_REPEAT = 0;
+KD_CONST(int) KD_WRAP_CLAMP = 1;
+KD_CONST(int) KD_WRAP_MIRROR = 2;
+
 KD_CONST(int) KD_LIGHT_POINT = 0;
 KD_CONST(int) KD_LIGHT_DIRECTIONAL = 1;
 KD_CONST(int) KD_LIGHT_SPOT = 2;

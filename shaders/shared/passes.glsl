@@ -4,12 +4,7 @@
 /// RTPrim: trace the primary ray of a pixel.
 KD_FN Path trace_primary(IN(PinholeCamera) camera, int2 pixel, int2 size)
 {
-    Path path;
-    path.ray = camera_ray(camera, pixel, size);
-    path.hit = no_hit(path.ray);
-    path.weight = real3(1, 1, 1);
-    path.pixel = pixel;
-    path.leg = KD_LEG_PRIMARY;
+    Path path = primary_leg(camera, pixel, size);
     traverse(path.ray, false, path.hit);
     return path;
 }
@@ -18,7 +13,7 @@ KD_FN Path trace_primary(IN(PinholeCamera) camera, int2 pixel, int2 size)
 KD_FN real3 shade_path(IN(Path) path, INOUT(Hit) first_blocked)
 {
     if (path.hit.triangle < 0) return path.weight * scene_background();
-    return path.weight * light_surface(path, surface_at(path.ray, path.hit), first_blocked);
+    return path.weight * light_surface(path, surface_of(path), first_blocked);
 }
 
 /// Whether anything that the path finds can reach the pixel.
@@ -52,6 +47,7 @@ KD_FN Path reflected_leg(IN(Path) path)
     // A share of 1 is none.
     if (on.share != real(1)) next.weight = scale3(next.weight, on.share);
     next.leg = path.leg + 1;
+    next.width = width_at_hit(path);
     return next;
 }
 
@@ -72,9 +68,12 @@ KD_FN bool scatters(IN(Path) path)
 /// RTIndirect before its ray is traced: the leg that light takes to a primary ray's hit from another surface.
 KD_FN Path indirect_leg(IN(Path) path)
 {
-    Surface s = surface_at(path.ray, path.hit);
+    Surface s = surface_of(path);
     Path next = path;
     next.leg = KD_LEG_INDIRECT;
+    // Many such rays make up the cone that the pixel sees: each looks at what it meets as finely as there is.
+    next.width = real(0);
+    next.spread = real(0);
     next.ray = scattered_ray(s, path_key(next));
     next.hit = no_hit(next.ray);
     next.weight = path.weight * s.material.diffuse;

@@ -53,7 +53,7 @@ KD_FN real3 facet_normal(IN(Surface) s, real3 d, real alpha, uint key)
 /// The reflection of a path at its hit, mirrored or, where gloss is sampled, by a facet.
 KD_FN Onward reflect_path(IN(Path) path)
 {
-    Surface s = surface_at(path.ray, path.hit);
+    Surface s = surface_of(path);
     real3 d = normalise3(path.ray.direction);
     bool rough = scene_has_gloss() && s.material.roughness > real(0);
     PRECISE real alpha = s.material.roughness * s.material.roughness;

@@ -17,49 +17,78 @@ KD_FN real3 blend3(real3 a, real3 b, real3 c, real u, real v)
     return add_scaled3(add_scaled3(scale3(a, w), b, u), c, v);
 }
 
-KD_FN int wrap_texel(int i, int size)
+/// Area, in texture coordinates, of the square around what a cone of this width sees of a triangle with these edges: texels
+/// per area of the triangle, and the cone's section stretched as the triangle leans (Akenine-Moeller et al., "Texture Level
+/// of Detail Strategies for Real-Time Ray Tracing", Ray Tracing Gems, 2019, section 20.3.4). 0 where that says nothing.
+KD_FN real seen_area(int triangle, real3 edge_b, real3 edge_c, real cosine, real width)
 {
-    int m = i - (i / size) * size;
-    return m < 0 ? m + size : m;
+    real2 a;
+    real2 b;
+    real2 c;
+    fetch_texture_coordinates(triangle, a, b, c);
+    PRECISE real in_texture = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    real3 across = cross3(edge_b, edge_c);
+    real in_space = square_root(dot3(across, across));
+    if (!(in_space > real(1e-30))) return real(0);
+    real section = quotient(width, max(cosine, real(1e-3)));
+    PRECISE real area = quotient(abs(in_texture), in_space) * section * section;
+    return area;
 }
 
-/// Where in a repeating image a coordinate lies, 0..1; 0 for what is no place (infinities and NaN).
-KD_FN real place_in_image(real coordinate)
+KD_FN void tint_by_textures(real2 uv, real area, INOUT(Material) material)
 {
-    PRECISE real place = coordinate - floor(coordinate);
-    return place >= real(0) && place <= real(1) ? place : real(0);
+    if (material.texture >= 0) {
+        real4 tint = sample_texture(material.texture, uv, area);
+        material.diffuse = material.diffuse * real3(tint.x, tint.y, tint.z);
+    }
+    if (scene_has_emission() && material.emission_texture >= 0) {
+        real4 tint = sample_texture(material.emission_texture, uv, area);
+        material.emission = material.emission * real3(tint.x, tint.y, tint.z);
+    }
 }
 
-/// Bilinear, repeating.
-KD_FN real3 sample_texture(int texture_index, real2 uv)
+/// `normal` bent as the material's image says: x runs along the image's rows, y up its columns, on the side `front` (1 or
+/// -1) of the triangle (glTF 2.0, section 3.9.3). The tangents are those of the triangle's texture coordinates. As it was
+/// where these have no area, or where the bent one would lean below the surface.
+KD_FN real3 bend_normal(IN(Surface) s, real3 edge_b, real3 edge_c, real front, real2 uv, real area)
 {
-    int2 size = fetch_texture_size(texture_index);
-    PRECISE real x = place_in_image(uv.x) * real(size.x) - real(0.5);
-    PRECISE real y = place_in_image(uv.y) * real(size.y) - real(0.5);
-    int left = int(floor(x));
-    int top = int(floor(y));
-    PRECISE real fx = x - floor(x);
-    PRECISE real fy = y - floor(y);
-    int x0 = wrap_texel(left, size.x);
-    int x1 = wrap_texel(left + 1, size.x);
-    int y0 = wrap_texel(top, size.y);
-    int y1 = wrap_texel(top + 1, size.y);
-    real3 upper = add_scaled3(scale3(fetch_texel(texture_index, x0, y0), real(1) - fx), fetch_texel(texture_index, x1, y0), fx);
-    real3 lower = add_scaled3(scale3(fetch_texel(texture_index, x0, y1), real(1) - fx), fetch_texel(texture_index, x1, y1), fx);
-    return add_scaled3(scale3(upper, real(1) - fy), lower, fy);
+    real2 a;
+    real2 b;
+    real2 c;
+    fetch_texture_coordinates(s.triangle, a, b, c);
+    PRECISE real turn = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (turn == real(0)) return s.shading;
+    real sign = turn < real(0) ? real(-1) : real(1);
+    real3 along_rows = scale3(add_scaled3(scale3(edge_b, c.y - a.y), edge_c, a.y - b.y), sign);
+    real3 up_columns = scale3(add_scaled3(scale3(edge_b, c.x - a.x), edge_c, a.x - b.x), sign);
+    real3 tangent = normalise3(add_scaled3(along_rows, s.shading, -dot3(along_rows, s.shading)));
+    real3 bitangent = cross3(s.shading, tangent);
+    if (dot3(bitangent, up_columns) < real(0)) bitangent = -bitangent;
+
+    real4 texel = sample_texture(s.material.normal_texture, uv, area);
+    PRECISE real x = (real(2) * texel.x - real(1)) * s.material.normal_scale * front;
+    PRECISE real y = (real(2) * texel.y - real(1)) * s.material.normal_scale * front;
+    PRECISE real z = real(2) * texel.z - real(1);
+    real3 bent = normalise3(add_scaled3(add_scaled3(scale3(s.shading, z), tangent, x), bitangent, y));
+    return dot3(bent, s.geometric) > real(0) ? bent : s.shading;
 }
 
-KD_FN void tint_by_textures(IN(Hit) hit, INOUT(Material) material)
+/// What the images of a surface's material change of it; `cosine` is that of the ray to the normal.
+KD_CALL_FN void apply_images(IN(Hit) hit, real3 edge_b, real3 edge_c, real front, real cosine, real width, INOUT(Surface) s)
 {
-    bool glows = scene_has_emission() && material.emission_texture >= 0;
-    if (material.texture < 0 && !glows) return;
-    real2 uv = fetch_texture_coordinates(hit.triangle, hit.u, hit.v);
-    if (material.texture >= 0) material.diffuse = material.diffuse * sample_texture(material.texture, uv);
-    if (glows) material.emission = material.emission * sample_texture(material.emission_texture, uv);
+    bool bends = scene_has_normal_maps() && s.material.normal_texture >= 0;
+    bool glows = scene_has_emission() && s.material.emission_texture >= 0;
+    bool tints = scene_has_textures() && (s.material.texture >= 0 || glows);
+    if (!bends && !tints) return;
+    real2 uv = texture_place(hit.triangle, hit.u, hit.v);
+    real area = scene_has_mip_maps() ? seen_area(hit.triangle, edge_b, edge_c, cosine, width) : real(0);
+    if (tints) tint_by_textures(uv, area, s.material);
+    if (bends) s.shading = bend_normal(s, edge_b, edge_c, front, uv, area);
 }
 
-/// Everything shading needs to know about a hit of `ray`.
-KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
+/// Everything shading needs to know about a hit of `ray`, whose direction is a unit vector; `width` is that of the cone about
+/// it, there, that its pixel sees.
+KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit, real width)
 {
     real3 a;
     real3 b;
@@ -69,7 +98,9 @@ KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
     s.triangle = hit.triangle;
     s.position = blend3(a, b, c, hit.u, hit.v);
     s.geometric = normalise3(cross3(b - a, c - a));
-    if (dot3(s.geometric, ray.direction) > real(0)) s.geometric = -s.geometric;
+    real cosine = dot3(s.geometric, ray.direction);
+    real front = cosine > real(0) ? real(-1) : real(1);
+    if (front < real(0)) s.geometric = -s.geometric;
 
     // Rounding of the blend is below gamma(7) times the sum of magnitudes per axis; twice that also covers the addition.
     real3 magnitude = blend3(abs(a), abs(b), abs(c), abs(hit.u), abs(hit.v));
@@ -89,7 +120,8 @@ KD_FN Surface surface_at(IN(Ray) ray, IN(Hit) hit)
             if (dot3(s.shading, s.geometric) < real(0)) s.shading = -s.shading;
         }
     }
-    if (scene_has_textures()) tint_by_textures(hit, s.material);
+    if (scene_has_textures() || scene_has_normal_maps())
+        apply_images(hit, b - a, c - a, front, abs(cosine), width, s);
     return s;
 }
 

@@ -70,9 +70,12 @@ KD_FN void intersect_triangle(IN(RaySetup) s, int slot, int triangle, INOUT(Hit)
     PRECISE real t = quotient(scaled_t, determinant);
     bool nearer = t > s.ray.t_min && (t < hit.t || (t == hit.t && triangle < hit.triangle));
     if (nearer && triangle != s.ray.source) {
+        real u = quotient(edge_b, determinant);
+        real v = quotient(edge_c, determinant);
+        if (masked_out(triangle, u, v)) return;
         hit.triangle = triangle;
         hit.t = t;
-        hit.u = quotient(edge_b, determinant);
-        hit.v = quotient(edge_c, determinant);
+        hit.u = u;
+        hit.v = v;
     }
 }

@@ -41,6 +41,8 @@ struct PinholeCamera {
 /// Phong-type surface in display-referred colour, 0..1 per channel; `emission`, what it sends by itself, may be brighter.
 /// `texture` tints what it scatters, `emission_texture` what it emits; -1 for none. `roughness`, 0..1, is that of what it
 /// reflects: 0 mirrors; squared it is the alpha of Trowbridge & Reitz's distribution of facets, as glTF has it.
+/// `normal_texture` holds normals in the triangle's tangent space (glTF 2.0, section 3.9.3), whose x and y `normal_scale`
+/// stretches. Where the alpha of `texture` is below `alpha_cutoff` there is no surface; 0 cuts nothing out.
 struct Material {
     real3 diffuse;
     real3 specular;
@@ -50,6 +52,20 @@ struct Material {
     int texture;
     int emission_texture;
     real roughness;
+    int normal_texture;
+    real normal_scale;
+    real alpha_cutoff;
+};
+
+/// One of the scene's images: its first texel among those of all, its size, how many levels there are from it on, each half
+/// the one before it and right behind it, and how it goes on beyond its edges (KD_WRAP_...).
+struct TextureImage {
+    int first;
+    int width;
+    int height;
+    int levels;
+    int wrap_x;
+    int wrap_y;
 };
 
 /// A light; intensity falls with 1 / (attenuation.x + attenuation.y * distance^2). Spot cosines are of half angles. Sampled,

@@ -33,6 +33,26 @@ KD_FN real3 add_scaled3(real3 a, real3 b, real s)
     return real3(x, y, z);
 }
 
+KD_FN real4 scale4(real4 a, real s)
+{
+    PRECISE real x = a.x * s;
+    PRECISE real y = a.y * s;
+    PRECISE real z = a.z * s;
+    PRECISE real w = a.w * s;
+    return real4(x, y, z, w);
+}
+
+/// a + (b - a)*s, which is a or b at either end
+KD_FN real4 mix4(real4 a, real4 b, real s)
+{
+    PRECISE real rest = real(1) - s;
+    PRECISE real x = a.x * rest + b.x * s;
+    PRECISE real y = a.y * rest + b.y * s;
+    PRECISE real z = a.z * rest + b.z * s;
+    PRECISE real w = a.w * rest + b.w * s;
+    return real4(x, y, z, w);
+}
+
 /// The vector divided by its length; the zero vector stays zero.
 KD_FN real3 normalise3(real3 a)
 {

@@ -2,6 +2,7 @@
 // of which find nothing, and again when these have walked.
 
 #include "shared/vector.glsl"
+#include "shared/texture.glsl"
 #include "shared/ray.glsl"
 #include "ray_states.glsl"
 #include "queues.glsl"

@@ -73,7 +73,7 @@ TEST(StressScenes, AreScenesWhereverOneIsTaken) {
     const test::Outcome stats = run_kdscope({"stats", "stress:T09", "--json"});
     ASSERT_EQ(stats.code, 0) << stats.err;
     EXPECT_EQ(Json::parse(stats.out)[0]["trees"][0]["tree"]["triangles"], 4008);
-    expect_usage_error(run_kdscope({"stats", "stress:T999"}), {"there is no stability case 'T999'", "T01 to T63"});
+    expect_usage_error(run_kdscope({"stats", "stress:T999"}), {"there is no stability case 'T999'", "T01 to T65"});
     expect_usage_error(run_kdscope({"stats", "stress:T25=9"}), {"stress:T25=9", "1e-09 to 0.1"});
 }
 

@@ -43,9 +43,8 @@ TEST(Emission, IsTintedByItsOwnImage) {
     lamp.emission = Vec3(0.5f);
     lamp.emission_texture = 1;
     Scene scene = dark_room(lamp);
-    scene.textures.assign(2, Image<Rgba8>(1, 1));
-    scene.textures[0].pixels = {{0, 0, 0, 255}};
-    scene.textures[1].pixels = {{255, 0, 51, 255}};
+    scene.textures = {plain_texture(Image<Rgba8>(1, 1, {0, 0, 0, 255})),
+                      plain_texture(Image<Rgba8>(1, 1, {255, 0, 51, 255}))};
     const Vec4 found = middle_of(scene);
     EXPECT_FLOAT_EQ(found.x, 0.625f);
     EXPECT_FLOAT_EQ(found.y, 0.125f);

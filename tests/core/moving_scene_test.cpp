@@ -25,9 +25,10 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 /// All that a picture is made of, to the bit; not the time.
 bool same_bits(const FlatScene& a, const FlatScene& b) {
     return same_bytes(a.triangles, b.triangles) && same_bytes(a.attributes, b.attributes) &&
-           same_bytes(a.lights, b.lights) && same_bytes(a.materials, b.materials) && a.textures == b.textures &&
-           a.kept == b.kept && a.bounds == b.bounds && a.camera == b.camera && a.exponent == b.exponent &&
-           a.has_normals == b.has_normals && a.notes == b.notes && a.name == b.name;
+           same_bytes(a.lights, b.lights) && same_bytes(a.materials, b.materials) &&
+           same_bytes(a.textures, b.textures) && a.texels == b.texels && a.kept == b.kept && a.bounds == b.bounds &&
+           a.camera == b.camera && a.exponent == b.exponent && a.has_normals == b.has_normals && a.notes == b.notes &&
+           a.name == b.name;
 }
 
 /// Poses by a function, within two seconds.

@@ -18,6 +18,7 @@ namespace {
 FlatScene with_materials(const std::vector<Material>& materials) {
     FlatScene flat;
     flat.materials = materials;
+    add_texture(flat, plain_texture(Image<Rgba8>(1, 1)));
     for (std::size_t i = 0; i + 1 < materials.size(); ++i) {
         flat.triangles.push_back({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
         flat.attributes.emplace_back().material = int(i);
@@ -192,6 +193,34 @@ TEST(SceneNeeds, EmissionNeedsAMaterialThatEmits) {
     EXPECT_TRUE(needs_of(with_materials({lamp, matte(Vec3(0.5f))})).textures);
     lamp.emission = Vec3(0.0f);
     EXPECT_FALSE(needs_of(with_materials({lamp, matte(Vec3(0.5f))})).textures);
+}
+
+TEST(SceneNeeds, ImagesAreAskedForByWhatTheyHave) {
+    const auto in_use_with = [](const Material& material, const Texture& texture) {
+        FlatScene flat = with_materials({material, matte(Vec3(0.5f))});
+        flat.textures.clear();
+        add_texture(flat, texture);
+        return in_use(needs_of(flat));
+    };
+    const Names always{"shadows", "placed-lights"};
+    const auto and_also = [&](Names names) {
+        names.insert(always.begin(), always.end());
+        return names;
+    };
+    const Texture plain_image = plain_texture(Image<Rgba8>(2, 2));
+    const Texture halved = mip_mapped_texture(Image<Rgba8>(2, 2), TexelKind::colour);
+    Texture clamped = plain_image;
+    clamped.wrap_y = KD_WRAP_CLAMP;
+    EXPECT_EQ(in_use_with(matte(Vec3(0.5f)), halved), always) << "no material shows it";
+    EXPECT_EQ(in_use_with(textured(), plain_image), and_also({"textures"}));
+    EXPECT_EQ(in_use_with(textured(), halved), and_also({"textures", "mip-maps"}));
+    EXPECT_EQ(in_use_with(textured(), clamped), and_also({"textures", "wraps"}));
+    Material bent = matte(Vec3(0.5f));
+    bent.normal_texture = 0;
+    EXPECT_EQ(in_use_with(bent, halved), and_also({"normal-maps", "mip-maps"}));
+    Material cut = textured();
+    cut.alpha_cutoff = 0.5f;
+    EXPECT_EQ(in_use_with(cut, plain_image), and_also({"textures", "masks"}));
 }
 
 TEST(SceneNeeds, LeafListsGrowWideWithTheScene) {

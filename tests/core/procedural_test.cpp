@@ -57,7 +57,8 @@ TEST(Procedural, EverySceneIsReadyToTrace) {
 TEST(Procedural, NamesAreUnique) {
     std::set<std::string_view> names;
     for (const ProceduralScene& entry : procedural_scenes()) EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
-    EXPECT_EQ(names, (std::set<std::string_view>{"ball", "cornell", "icoball", "rooms", "scatter", "sheet"}));
+    EXPECT_EQ(names,
+              (std::set<std::string_view>{"ball", "cornell", "icoball", "rooms", "scatter", "sheet", "topiary"}));
 }
 
 TEST(Procedural, SmallestSizesWork) {
@@ -103,7 +104,7 @@ TEST(Procedural, SameNameAndSeedGiveTheSameScene) {
 }
 
 TEST(Procedural, SeedsGiveOtherScenesWhereThereIsChance) {
-    for (const char* name : {"rooms", "scatter:100", "sheet:100"})
+    for (const char* name : {"rooms", "scatter:100", "sheet:100", "topiary:100"})
         EXPECT_NE(flat_scene(name, 1).triangles, flat_scene(name, 2).triangles) << name;
     for (const char* name : {"ball:100", "icoball:100", "cornell"})
         EXPECT_EQ(flat_scene(name, 1).triangles, flat_scene(name, 2).triangles) << name;

@@ -15,6 +15,7 @@ namespace {
 /// The triangle test's own text in single precision, of a scene that is not asked for.
 struct TriangleText {
     void fetch_bounds(real3&, real3&) const {}
+    static bool masked_out(int, real, real) { return false; }
     void fetch_corners(int, int, int3, real3&, real3&, real3&) const {}
 #define KD_RULES KD_RULES_ROBUST
 #include "shaders/shared/vector.glsl"

@@ -266,14 +266,21 @@ TEST(Flatten, KeepsNameNotesColoursAndTextures) {
     scene.notes = {"said before"};
     scene.ambient = Vec3(0.3f);
     scene.background = Vec3(0.4f);
-    scene.textures.emplace_back(2, 2, Rgba8{1, 2, 3, 4});
+    scene.textures = {plain_texture(Image<Rgba8>(2, 2, {1, 2, 3, 4})), plain_texture(Image<Rgba8>(3, 1, {5, 6, 7, 8}))};
+    scene.textures[1].wrap_y = KD_WRAP_MIRROR;
     scene.lights = {point_light({1, 2, 3}, Vec3(1.0f))};
     const FlatScene flat = flatten(scene);
     EXPECT_EQ(flat.name, "a name");
     EXPECT_EQ(flat.notes, std::vector<std::string>{"said before"});
     EXPECT_EQ(flat.ambient, Vec3(0.3f));
     EXPECT_EQ(flat.background, Vec3(0.4f));
-    EXPECT_EQ(flat.textures, scene.textures);
+    ASSERT_EQ(flat.textures.size(), 2u);
+    EXPECT_EQ(flat.textures[1].first, 4);
+    EXPECT_EQ(flat.textures[1].width, 3);
+    EXPECT_EQ(flat.textures[1].levels, 1);
+    EXPECT_EQ(flat.textures[1].wrap_y, KD_WRAP_MIRROR);
+    EXPECT_EQ(flat.texels.at(3), (Rgba8{1, 2, 3, 4}));
+    EXPECT_EQ(flat.texels.at(6), (Rgba8{5, 6, 7, 8}));
 }
 
 TEST(Flatten, SurfacesWithoutMaterialAreGrey) {
@@ -304,7 +311,11 @@ TEST(Flatten, RefusesNumbersThatPointNowhere) {
     scene.materials[0].texture = 0;
     EXPECT_EQ(refusal(scene), "material 0: texture 0 is not one of the scene's 0; correct it, or use -1 for none");
     scene.textures.resize(1);
+    EXPECT_EQ(refusal(scene), "texture 0: there is no image; give one");
+    scene.textures[0].levels.resize(1);
     EXPECT_EQ(refusal(scene), "texture 0: the image has no pixels; give at least one");
+    scene.textures[0].levels = {Image<Rgba8>(4, 5), Image<Rgba8>(2, 3)};
+    EXPECT_EQ(refusal(scene), "texture 0: level 1 is not half of the one before it; halve it");
     EXPECT_EQ(refusal(one_triangle()), "accepted");
 }
 

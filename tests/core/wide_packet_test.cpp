@@ -188,13 +188,14 @@ TEST(WidePackets, RunWithEveryInstructionSet) {
 
 TEST(WidePackets, OtherWalksAndRulesComeToWhatTheyCan) {
     TraceConfig config;
-    EXPECT_EQ(mode_in_force(CpuMode::packet, config), CpuMode::packet);
+    EXPECT_EQ(mode_in_force(CpuMode::packet, config, false), CpuMode::packet);
+    EXPECT_EQ(mode_in_force(CpuMode::packet, config, true), CpuMode::scalar) << "holes are looked for one by one";
     config.traversal = Traversal::ropes;
-    EXPECT_EQ(mode_in_force(CpuMode::packet, config), CpuMode::wide);
+    EXPECT_EQ(mode_in_force(CpuMode::packet, config, false), CpuMode::wide);
     config.rules = Rules::as_published;
-    EXPECT_EQ(mode_in_force(CpuMode::wide, config), CpuMode::scalar);
+    EXPECT_EQ(mode_in_force(CpuMode::wide, config, false), CpuMode::scalar);
     config = {.traversal = Traversal::naive};
-    EXPECT_EQ(mode_in_force(CpuMode::packet, config), CpuMode::scalar);
+    EXPECT_EQ(mode_in_force(CpuMode::packet, config, false), CpuMode::scalar);
 }
 
 }  // namespace

@@ -112,12 +112,14 @@ TEST_P(BitPatternsGl, TablesOfMaterials) {
     Uploaded u;
     for (std::size_t i = 0; i < any_count; ++i) {  // behind the one that the triangle has
         u.scene.materials.push_back({as_floats(i), as_floats(i + 3), as_floats(i + 6), as_floats(i + 11),
-                                     as_float(any(i + 9)), int(any(i + 10)), int(any(i + 14)), as_float(any(i + 2))});
-        const std::size_t at = 4 * (u.scene.materials.size() - 1);
+                                     as_float(any(i + 9)), int(any(i + 10)), int(any(i + 14)), as_float(any(i + 2)),
+                                     int(any(i + 5)), as_float(any(i + 8)), as_float(any(i + 13))});
+        const std::size_t at = 5 * (u.scene.materials.size() - 1);
         ask(tables, at, {any(i), any(i + 1), any(i + 2), any(i + 9)}, "material");
         ask(tables, at + 1, {any(i + 3), any(i + 4), any(i + 5), any(i + 10)}, "material");
         ask(tables, at + 2, {any(i + 6), any(i + 7), any(i + 8), any(i + 14)}, "material");
         ask(tables, at + 3, {any(i + 11), any(i + 12), any(i + 13), any(i + 2)}, "material");
+        ask(tables, at + 4, {any(i + 5), any(i + 8), any(i + 13), 0}, "material");
     }
     expect_all(u.scene, u.tree, {});
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "renderer/cpu/cpu_tracer.h"
+#include "renderer/scene/procedural.h"
 #include "renderer/trace/counters.h"
 #include "tests/gl/gl_test.h"
 
@@ -190,13 +191,25 @@ TEST_P(EqualityOfPassesGl, ThreeBouncesCulled) {
 TEST_P(EqualityOfPassesGl, LargeLeavesOfGlowingSurfacesWithoutShadows) {
     config.trace.shadows = false;
     FlatScene scene = test::mirror_scene(300, 9);
-    scene.textures.emplace_back(2, 1);
-    scene.textures.back().pixels = {{255, 128, 0, 255}, {10, 200, 90, 255}};
+    Image<Rgba8> image(2, 1);
+    image.pixels = {{255, 128, 0, 255}, {10, 200, 90, 255}};
+    const int texture = add_texture(scene, plain_texture(image));
     for (Material& material : scene.materials) {
         material.emission = Vec3(0.1f, 0.9f, 1.5f);
-        material.emission_texture = int(scene.textures.size()) - 1;
+        material.emission_texture = texture;
     }
     compare(scene, {.leaf_size = 16});
+}
+
+TEST_P(EqualityOfPassesGl, ImagesOfEveryKind) {
+    // Leaves with holes, bent normals that mirrors follow, mip maps, clamped and mirrored images.
+    FlatScene scene = flatten(*make_procedural("topiary:300"));
+    for (Material& material : scene.materials)
+        if (material.normal_texture >= 0) material.reflectance = Vec3(0.4f);
+    config.trace.reflection_depth = 2;
+    compare(scene, {});
+    config.trace.sampling = {.sample = 2, .seed = 3};
+    compare(scene, {});
 }
 
 TEST_P(EqualityOfPassesGl, SampledLight) {

@@ -22,7 +22,7 @@ TEST(GlLimits, CountWhatAnUploadTakes) {
     EXPECT_EQ(sizes.references, 0);
     EXPECT_EQ(sizes.triangles, std::int64_t(scene.triangles.size()));
     EXPECT_EQ(sizes.texels, 5 * 3);
-    EXPECT_EQ(sizes.table_texels, 4 * 3 + 4 * 2 + 1);
+    EXPECT_EQ(sizes.table_texels, 5 * 3 + 4 * 2 + 1);
 }
 
 TEST(GlLimits, LetThroughWhatJustFits) {

@@ -7,6 +7,7 @@
 #include "renderer/measure/needs_check.h"
 #include "renderer/measure/needs_costs.h"
 #include "renderer/scene/parts.h"
+#include "renderer/scene/procedural.h"
 #include "tests/gl/gl_test.h"
 
 namespace kd {
@@ -61,14 +62,25 @@ bool has_context() {
 TEST(NeedsCheck, PlainSceneMissesNothing) {
     if (!has_context()) GTEST_SKIP() << "NO CONTEXT";
     auto rows = rows_of(check(plain_scene(), {}));
-    for (const char* feature :
-         {"reflections", "many-lights", "directional-lights", "spot-lights", "highlights", "emission", "textures",
-          "normals", "material-numbers", "wide-references", "deep-tree", "node-boxes", "leaf-copies", "all"})
+    for (const char* feature : {"reflections", "many-lights", "directional-lights", "spot-lights", "highlights",
+                                "emission", "textures", "mip-maps", "wraps", "normal-maps", "masks", "normals",
+                                "material-numbers", "wide-references", "deep-tree", "node-boxes", "leaf-copies", "all"})
         EXPECT_EQ(rows[std::string("gl-fragment ") + feature], 1) << feature;
-    for (const char* feature :
-         {"reflections", "highlights", "emission", "textures", "normals", "node-boxes", "leaf-copies", "all"})
+    for (const char* feature : {"reflections", "highlights", "emission", "textures", "mip-maps", "wraps", "normal-maps",
+                                "masks", "normals", "node-boxes", "leaf-copies", "all"})
         EXPECT_EQ(rows[std::string("cpu ") + feature], 1) << feature;
-    EXPECT_EQ(rows.size(), 24u);
+    EXPECT_EQ(rows.size(), 32u);
+}
+
+TEST(NeedsCheck, AnImageMissesNothingThatImagesMayHave) {
+    if (!has_context()) GTEST_SKIP() << "NO CONTEXT";
+    const FlatScene sheet = flatten(*make_procedural("sheet:200"));
+    ASSERT_TRUE(scene_needs(sheet, KdTree{}, {}).textures);
+    auto rows = rows_of(check(sheet, {}));
+    for (const char* feature : {"mip-maps", "wraps", "normal-maps", "masks"})
+        EXPECT_EQ(rows[std::string("gl-fragment ") + feature] + rows[std::string("cpu ") + feature], 2) << feature;
+    const SceneNeeds needs = scene_needs(flatten(*make_procedural("topiary:20")), KdTree{}, {});
+    EXPECT_TRUE(needs.mip_maps && needs.wraps && needs.normal_maps && needs.masks) << "a scene that has them all";
 }
 
 TEST(NeedsCheck, NobodyMissesSixteenBytesANode) {

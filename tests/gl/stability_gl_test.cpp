@@ -140,7 +140,7 @@ TEST(Stability, UnknownCasesAreRefusedBeforeAnyWork) {
         FAIL() << "accepted";
     } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()),
-                  "there is no stability case 'T999'; there are T01 to T63, without T17, T39, T53, T56");
+                  "there is no stability case 'T999'; there are T01 to T65, without T17, T39, T53, T56");
     }
     EXPECT_FALSE(started);
 }

@@ -257,7 +257,7 @@ TEST(StressScenes, OtherNamesAreLeftAlone) {
 TEST(StressScenes, WhatCannotBeMadeIsRefusedInOneLine) {
     const auto why = [](const char* name) { return refusal([&] { (void)make_stress_scene(name, 1); }); };
     EXPECT_EQ(why("stress:T999"),
-              "there is no stability case 'T999'; there are T01 to T63, without T17, T39, T53, T56");
+              "there is no stability case 'T999'; there are T01 to T65, without T17, T39, T53, T56");
     EXPECT_TRUE(holds(why("stress:"), "there is no stability case ''"));
     EXPECT_TRUE(holds(why("stress:T01=3"), "case 'T01': has no sweep; try one of"));
     for (const char* value : {"", "x", "1e", "nan", "inf", "-1", "0", "1e-12", "2", "1e-4x"})

@@ -135,13 +135,11 @@ TEST(G21, UnknownMaterialsBecomeTheDefault) {
 }
 
 TEST(GltfMaterial, TellsWhatItDoesNotShow) {
-    GltfBuilder builder = with_material({{"alphaMode", "BLEND"},
-                                         {"normalTexture", {{"index", 0}}},
-                                         {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
+    GltfBuilder builder =
+        with_material({{"alphaMode", "BLEND"}, {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
     builder.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
     const Scene scene = load(builder);
     EXPECT_TRUE(has_note(scene, "shown 1 transparent material as opaque"));
-    EXPECT_TRUE(has_note(scene, "ignored 1 normal map"));
     EXPECT_TRUE(has_note(scene, "ignored extension KHR_materials_clearcoat"));
 }
 
@@ -191,7 +189,7 @@ TEST(GltfTexture, KeepsStoredPixelsAndUv) {
     add_texture(builder, png_of(pixels, 2));
     const Scene scene = load(builder);
     ASSERT_EQ(scene.textures.size(), 1u);
-    EXPECT_EQ(scene.textures[0].pixels, pixels);
+    EXPECT_EQ(scene.textures[0].levels.at(0).pixels, pixels);
     EXPECT_EQ(scene.materials.at(0).texture, 0);
     EXPECT_EQ(scene.meshes.at(0).texture_coordinates, (std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}}));
 }
@@ -205,7 +203,7 @@ TEST(GltfTexture, LoadsFromAGlbAndOnceForTwoMaterials) {
     const Scene scene = load_text(builder.glb(), "scene.glb");
     EXPECT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.textures.size(), 1u);
-    EXPECT_EQ(scene.textures.at(0).pixels, (std::vector<Rgba8>{{1, 2, 3, 4}}));
+    EXPECT_EQ(scene.textures.at(0).levels.at(0).pixels, (std::vector<Rgba8>{{1, 2, 3, 4}}));
 }
 
 TEST(GltfTexture, UsesTheTextureCoordinatesItNames) {
@@ -235,15 +233,53 @@ TEST(GltfTexture, AppliesTheTextureTransform) {
     }
 }
 
-TEST(GltfTexture, ClampedTexturesAreToldOnlyWhereItShows) {
+TEST(GltfTexture, SamplersSayHowImagesGoOnAndWhetherTheyHaveMipMaps) {
+    GltfBuilder builder = with_material(textured);
+    add_texture(builder, png_of({{1, 2, 3, 4}, {5, 6, 7, 8}}, 2));
+    const Scene plain = load(builder);
+    EXPECT_EQ(plain.textures.at(0).wrap_x, KD_WRAP_REPEAT);
+    EXPECT_EQ(plain.textures[0].levels.size(), 2u) << "no sampler leaves the choice";
+    builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"minFilter", 9987}}};
+    builder.json["textures"][0]["sampler"] = 0;
+    Scene scene = load(builder);
+    EXPECT_EQ(scene.textures.at(0).wrap_x, KD_WRAP_CLAMP);
+    EXPECT_EQ(scene.textures[0].wrap_y, KD_WRAP_MIRROR);
+    EXPECT_EQ(scene.textures[0].levels.size(), 2u);
+    EXPECT_TRUE(scene.notes.empty());
+    for (const int without : {9728, 9729}) {
+        builder.json["samplers"][0]["minFilter"] = without;
+        EXPECT_EQ(load(builder).textures.at(0).levels.size(), 1u);
+    }
+    builder.json["samplers"][0]["magFilter"] = 9728;
+    EXPECT_TRUE(has_note(load(builder), "smoothed 1 texture whose texels should be seen"));
+}
+
+TEST(GltfTexture, OneImageMayBeSampledInTwoWays) {
     GltfBuilder builder = with_material(textured);
     add_texture(builder, png_of({{1, 2, 3, 4}}, 1));
-    builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33071}}};
-    builder.json["textures"][0]["sampler"] = 0;
-    EXPECT_TRUE(load(builder).notes.empty());
-    const std::size_t wide = builder.add_vec2({{0, 0}, {2, 0}, {0, 1}});
-    builder.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = wide;
-    EXPECT_TRUE(has_note(load(builder), "repeated the texture of 1 primitive beyond its edges"));
+    builder.json["samplers"] = {{{"wrapS", 33071}}};
+    builder.json["textures"].push_back({{"source", 0}, {"sampler", 0}});
+    builder.json["materials"][0]["normalTexture"] = {{"index", 1}, {"scale", 0.5}};
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.textures.size(), 2u);
+    EXPECT_EQ(scene.materials.at(0).texture, 0);
+    EXPECT_EQ(scene.materials[0].normal_texture, 1);
+    EXPECT_EQ(scene.materials[0].normal_scale, 0.5f);
+    EXPECT_EQ(scene.textures[1].wrap_x, KD_WRAP_CLAMP);
+    builder.json["materials"][0]["normalTexture"]["texCoord"] = 1;
+    EXPECT_EQ(load(builder).materials.at(0).normal_texture, -1);
+    EXPECT_TRUE(has_note(load(builder), "ignored 1 normal map, as it has its own coordinates"));
+}
+
+TEST(GltfMaterial, CutsOutWhatAMaskSays) {
+    const auto cutoff = [](const json& material) { return load(with_material(material)).materials.at(0).alpha_cutoff; };
+    EXPECT_EQ(cutoff({{"alphaMode", "OPAQUE"}, {"alphaCutoff", 0.25}}), 0.0f);
+    EXPECT_EQ(cutoff({{"alphaMode", "MASK"}}), 0.5f) << "as the format has it";
+    EXPECT_EQ(cutoff({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}), 0.25f);
+    const json half{{"baseColorFactor", {1, 1, 1, 0.5}}};
+    EXPECT_EQ(cutoff({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"pbrMetallicRoughness", half}}), 0.5f);
+    const json none{{"baseColorFactor", {1, 1, 1, 0}}};
+    EXPECT_GT(cutoff({{"alphaMode", "MASK"}, {"pbrMetallicRoughness", none}}), 1.0f) << "nothing is seen";
 }
 
 TEST(GltfTexture, TheMeanStandsForAMetallicRoughnessTexture) {
@@ -263,7 +299,7 @@ TEST(GltfTexture, ReadsJpeg) {
     GltfBuilder builder = with_material(textured);
     add_texture(builder, get_bytes(std::string(KD_SOURCE_DIR) + "/tests/fixtures/io/two_colours.jpg"), "image/jpeg");
     const Scene scene = load(builder);
-    const Image<Rgba8>& image = scene.textures.at(0);
+    const Image<Rgba8>& image = scene.textures.at(0).levels.at(0);
     ASSERT_EQ(image.width, 16);
     ASSERT_EQ(image.height, 8);
     for (int y = 0; y < 8; ++y) {
@@ -295,7 +331,7 @@ TEST(G22, BrokenImagesBecomeWhite) {
         add_texture(builder, c.bytes);
         const Scene scene = load(builder);
         ASSERT_EQ(scene.textures.size(), 1u);
-        EXPECT_EQ(scene.textures[0].pixels, (std::vector<Rgba8>{{255, 255, 255, 255}}));
+        EXPECT_EQ(scene.textures[0].levels.at(0).pixels, (std::vector<Rgba8>{{255, 255, 255, 255}}));
         EXPECT_TRUE(has_note(scene, c.note)) << c.note;
     }
 }
@@ -305,7 +341,7 @@ TEST(G22, MissingFilesBecomeWhite) {
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["images"] = {{{"uri", "none.png"}}};
     const Scene scene = load(builder);
-    EXPECT_EQ(scene.textures.at(0).pixels, (std::vector<Rgba8>{{255, 255, 255, 255}}));
+    EXPECT_EQ(scene.textures.at(0).levels.at(0).pixels, (std::vector<Rgba8>{{255, 255, 255, 255}}));
     EXPECT_TRUE(has_note(scene, "replaced image 0 (none.png) by white, as it cannot be read"));
 }
 

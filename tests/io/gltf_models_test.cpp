@@ -68,12 +68,15 @@ TEST(Models, BoxTexturedIsTheSameInEveryPacking) {
     const Scene embedded = load_gltf(models / "BoxTextured-glTF-Embedded" / "BoxTextured.gltf");
     EXPECT_EQ(triangle_count(text), 12u);
     ASSERT_EQ(text.textures.size(), 1u);
-    EXPECT_EQ(text.textures[0].width, 211);
-    EXPECT_EQ(text.textures[0].height, 211);
+    EXPECT_EQ(text.textures[0].levels.at(0).width, 211);
+    EXPECT_EQ(text.textures[0].levels.at(0).height, 211);
+    EXPECT_EQ(text.textures[0].levels.size(), 8u) << "211 halved to 1";
+    EXPECT_EQ(text.textures[0].wrap_x, KD_WRAP_MIRROR) << "of the three this file alone says so";
+    EXPECT_EQ(text.textures[0].wrap_y, KD_WRAP_CLAMP);
     EXPECT_EQ(text.materials.at(0).texture, 0);
     EXPECT_EQ(text.meshes.at(0).texture_coordinates.size(), 24u);
     for (const Scene* other : {&binary, &embedded}) {
-        EXPECT_EQ(other->textures, text.textures);
+        EXPECT_EQ(other->textures.at(0).levels, text.textures[0].levels);
         EXPECT_EQ(other->meshes.at(0).positions, text.meshes[0].positions);
         EXPECT_EQ(other->meshes[0].texture_coordinates, text.meshes[0].texture_coordinates);
         EXPECT_EQ(other->meshes[0].indices, text.meshes[0].indices);

@@ -141,7 +141,7 @@ TEST(G21, TexturesThatNameNoImage) {
 TEST(G22, WhatAPictureIsDecidesNotWhatItIsCalled) {
     GltfBuilder builder = rich_file();
     builder.json["images"][0]["mimeType"] = "image/jpeg";  // it is a PNG
-    EXPECT_EQ(load(builder).textures.at(0).at(0, 0), (Rgba8{1, 2, 3, 4}));
+    EXPECT_EQ(load(builder).textures.at(0).levels.at(0).at(0, 0), (Rgba8{1, 2, 3, 4}));
     // One grey pixel of value 0x8000.
     const std::string sixteen_bits(
         "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001\000\000\000\001"
@@ -149,7 +149,8 @@ TEST(G22, WhatAPictureIsDecidesNotWhatItIsCalled) {
         "\001\003\000\201\076\114\305\223\000\000\000\000\111\105\116\104\256\102\140\202",
         68);
     builder.json["images"][0]["bufferView"] = builder.add_view(sixteen_bits.data(), sixteen_bits.size());
-    EXPECT_EQ(load(builder).textures.at(0).pixels, (std::vector<Rgba8>{{128, 128, 128, 255}})) << "scaled to 8 bits";
+    EXPECT_EQ(load(builder).textures.at(0).levels.at(0).pixels, (std::vector<Rgba8>{{128, 128, 128, 255}}))
+        << "scaled to 8 bits";
     const std::string no_pixels("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\0\0\0\0\0\x08\x06\0\0\0", 29);
     builder.json["images"][0]["bufferView"] = builder.add_view(no_pixels.data(), no_pixels.size());
     EXPECT_TRUE(has_note(load(builder), "by white, as it is broken"));

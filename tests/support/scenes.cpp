@@ -30,13 +30,14 @@ FlatScene mirror_scene(int soup_triangles, unsigned seed) {
     FlatScene scene = scene_of(std::move(triangles));
     scene.materials = {glossy(Vec3(0.7f), 0.2f, 20.0f)};
     scene.materials.push_back(
-        {Vec3(0.3f, 0.3f, 0.35f), Vec3(0.1f), Vec3(0.5f, 0.4f, 0.3f), Vec3(0.0f), 50.0f, -1, -1, 0.0f});
-    scene.materials.push_back({Vec3(0.2f, 0.5f, 0.3f), Vec3(0.4f), Vec3(0.3f), Vec3(0.0f), 80.0f, 0, -1, 0.0f});
+        {Vec3(0.3f, 0.3f, 0.35f), Vec3(0.1f), Vec3(0.5f, 0.4f, 0.3f), Vec3(0.0f), 50.0f, -1, -1, 0.0f, -1, 1.0f, 0.0f});
+    scene.materials.push_back(
+        {Vec3(0.2f, 0.5f, 0.3f), Vec3(0.4f), Vec3(0.3f), Vec3(0.0f), 80.0f, 0, -1, 0.0f, -1, 1.0f, 0.0f});
     Image<Rgba8> checker(5, 3);
     for (std::size_t i = 0; i < checker.pixels.size(); ++i)
         checker.pixels[i] = {static_cast<unsigned char>(40 * i % 256), static_cast<unsigned char>(255 - 13 * i), 128,
                              255};
-    scene.textures.push_back(checker);
+    add_texture(scene, plain_texture(checker));
     for (std::size_t i = ball_begin; i < floor_begin; ++i) {
         TriangleAttributes& t = scene.attributes[i];
         t.material = 2;

@@ -34,6 +34,7 @@ class RayKernel {
     }
 
   private:
+    KD_FN static bool masked_out(int, real, real) { return false; }
     KD_FN void fetch_corners(int, int triangle, int3 axes, real3& a, real3& b, real3& c) const {
         if (KD_RARE(fetched_ != nullptr)) fetched_->push_back(triangle);
         const float* p = &corners_[triangle].corner[0].x;

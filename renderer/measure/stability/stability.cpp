@@ -22,7 +22,7 @@ std::vector<const StabilityCase*> chosen_cases(const std::vector<std::string>& i
     return chosen;
 }
 
-/// "T01 to T63, without T17 and T39": the cases keep their numbers for good, and some are not used.
+/// "T01 to T65, without T17 and T39": the cases keep their numbers for good, and some are not used.
 std::string numbers_used() {
     const auto number = [](const StabilityCase& info) { return std::stoi(std::string(info.id.substr(1))); };
     std::vector<std::string> unused;
