@@ -248,23 +248,19 @@ bool ImageReport::same_images() const {
 
 ReferenceImage reference_image(const ImageTask& task, const std::function<void(float)>& progress,
                                const std::stop_token& stop) {
-    const auto& [width, height] = std::pair(task.plan.width, task.plan.height);
+    const int width = task.plan.width, height = task.plan.height;
     const PinholeCamera camera = pinhole(task.scene.camera, width, height);
     const PathConfig path = path_config(task.scene, task.config);
     const int per_half = std::max(1, task.plan.reference_samples / 2);
-    std::array halves{SampleMean(width, height), SampleMean(width, height)};
-    for (std::size_t half = 0; half < halves.size(); ++half) {
-        const auto offsets = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
-        for (std::size_t i = 0; i < offsets.size(); ++i) {
-            if (stop.stop_requested()) return {};
-            halves[half].add(double_frame(task.scene, shifted(camera, offsets[i], width, height), width, height, path,
-                                          task.threads, stop, &task.boxes));
-            if (progress) progress(float(half * offsets.size() + i + 1) / float(2 * offsets.size()));
-        }
-    }
-    SampleMean both(width, height);
-    for (const SampleMean& half : halves) both.add(half.mean());
-    return {both.mean(), 0.5 * std::sqrt(mean_square_error(halves[0].mean(), halves[1].mean()))};
+    std::array<std::vector<glm::dvec2>, 2> offsets;
+    for (std::size_t half = 0; half < offsets.size(); ++half)
+        offsets[half] = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
+    const auto frame = [&](int half, int sample) {
+        const glm::dvec2 offset = offsets[std::size_t(half)][std::size_t(sample)];
+        return double_frame(task.scene, shifted(camera, offset, width, height), width, height, path, task.threads, stop,
+                            &task.boxes);
+    };
+    return reference_of_halves(width, height, 2 * per_half, frame, progress, stop);
 }
 
 ImageReport report_images(const ImageTask& task, const std::function<void(float, const std::string&)>& progress,
