@@ -69,7 +69,7 @@ class Effects {
         return config;
     }
 
-    [[nodiscard]] PinholeCamera camera() const { return pinhole(effects_.scene.camera, side_, side_); }
+    [[nodiscard]] PinholeCamera camera() const { return effect_camera(effects_.scene, side_, side_); }
 
     void leave_out_absent() {
         const SceneFacts facts = scene_facts(effects_.scene, task_.tree);

@@ -27,7 +27,6 @@ ChartPoint point_of(const TruncationCurve& curve, const TruncationPoint& point, 
     drawn_point.x_interval = middle_half(point.frame);
     drawn_point.bound = point.rmse == 0;
     drawn_point.y = drawn_point.bound ? foot : point.rmse;
-    drawn_point.label = fmt::format("{}", point.limit);
     drawn_point.marked = point.on_front;
     drawn_point.text = text_of(curve, point);
     return drawn_point;
@@ -57,11 +56,13 @@ Chart truncation_chart(const SceneErrorTime& scene, Truncation what) {
         ChartCurve drawn_curve{depths ? curve.machine : fmt::format("{}, {}", curve.machine, curve.traversal),
                                is_cpu(curve.machine) ? Ink::cpu : Ink::gpu, stroke_of(curve.traversal)};
         for (const TruncationPoint& point : curve.points) drawn_curve.points.push_back(point_of(curve, point, foot));
+        for (std::size_t i = 0; i < curve.telling_points(); ++i)
+            drawn_curve.points[i].label = fmt::format("{}", curve.points[i].limit);
         chart.curves.push_back(std::move(drawn_curve));
     }
     chart.note = fmt::format(
-        "{} x {} pixels; numbers: {}; whiskers: middle half of the rounds; open, at the foot: the same image; rings: "
-        "unbeaten in both",
+        "{} x {} pixels; numbers: {}, up to the first that make the same image; whiskers: middle half of the rounds; "
+        "open, at the foot: the same image; rings: unbeaten in both",
         report.width, report.height, depths ? "bounces" : "steps that a ray may take");
     chart.shared_x = false;
     fit_as_diagram(chart);

@@ -9,6 +9,7 @@
 #include "renderer/measure/error_time/ranking.h"
 #include "renderer/measure/error_time/reference_image.h"
 #include "renderer/measure/error_time/relative_error.h"
+#include "renderer/measure/error_time/sampling.h"
 #include "renderer/scene/needs.h"
 #include "renderer/scene/random.h"
 
@@ -110,7 +111,7 @@ class EffectRun {
     EffectRun(const EffectTask& task, const std::function<void(float, const std::string&)>& progress,
               const std::stop_token& stop)
         : task_(task), progress_(progress), stop_(stop),
-          camera_(pinhole(task.scene.camera, task.plan.width, task.plan.height)) {}
+          camera_(effect_camera(task.scene, task.plan.width, task.plan.height)) {}
 
     void measure(EffectReport& report) {
         for (const LightEffect& effect : task_.effects) {
@@ -282,6 +283,12 @@ std::vector<LightEffect> light_effects(const FlatScene& scene, TraceConfig confi
     add(needs.indirect, "indirect light", {.soft_shadows = false, .gloss = false});
     add(effects.size() > 1, "all effects", {});
     return effects;
+}
+
+PinholeCamera effect_camera(const FlatScene& scene, int width, int height) {
+    // No fraction of small numbers, so that no edge at such a fraction meets it.
+    constexpr glm::dvec2 off_in_pixels{0.1234, 0.3141};
+    return shifted(pinhole(scene.camera, width, height), off_in_pixels, width, height);
 }
 
 EffectPlan plan_effects(double seconds, const std::vector<EffectCost>& costs, int probe_pixels) {

@@ -42,7 +42,7 @@ struct GatheredImage {
     bool paused = false;         // a tile had converged before the last sample
 };
 
-/// One way of tracing frames of the plan's size from the scene's camera.
+/// One way of tracing frames of the plan's size through effect_camera().
 struct EffectMethod {
     std::string machine, clock;
     /// One frame of samples.
@@ -114,6 +114,10 @@ struct EffectTask {
     double frame_seconds =
         5;  // of timing frames, for each effect, all methods in turn; at least six rounds all the same
 };
+
+/// The scene's camera, off by a part of a pixel: the middles of pixels lie on edges of scenes as regular as a room, and
+/// there rounding decides what is hit, however many samples of light are drawn.
+[[nodiscard]] PinholeCamera effect_camera(const FlatScene& scene, int width, int height);
 
 /// Standard errors at which tiles pause, one after another.
 inline constexpr std::array adaptive_errors{0.04, 0.02, 0.01, 0.005};

@@ -51,9 +51,9 @@ void mark_front(TruncationReport& report, Truncation what) {
     std::vector<TruncationPoint*> points;
     for (TruncationCurve& curve : report.curves)
         if (curve.what == what)
-            for (TruncationPoint& point : curve.points) {
-                all.push_back({point.frame.median_ms, point.rmse});
-                points.push_back(&point);
+            for (std::size_t i = 0; i < curve.telling_points(); ++i) {
+                all.push_back({curve.points[i].frame.median_ms, curve.points[i].rmse});
+                points.push_back(&curve.points[i]);
             }
     const std::vector<bool> front = pareto_front(all);
     for (std::size_t i = 0; i < points.size(); ++i) points[i]->on_front = front[i];
@@ -139,6 +139,11 @@ class TruncationRun {
 };
 
 }  // namespace
+
+std::size_t TruncationCurve::telling_points() const {
+    const auto exact = std::ranges::find(points, 0.0, &TruncationPoint::rmse);
+    return std::size_t(exact - points.begin()) + (exact == points.end() ? 0 : 1);
+}
 
 std::vector<int> TruncationCurve::wrong_limits() const {
     std::vector<int> wrong;

@@ -42,7 +42,7 @@ struct TruncationPoint {
     TimeSummary frame;          // ms
     double rmse = 0;            // to the frame that nothing ended, by the same method: exactly 0 where they are alike
     std::int64_t given_up = 0;  // pixels
-    bool on_front = false;      // of the report's curves of one kind
+    bool on_front = false;      // among the telling points of one kind
 };
 
 struct TruncationCurve {
@@ -53,6 +53,8 @@ struct TruncationCurve {
     double per_bounce =
         0;  // reflection_depth: the RMSE falls to this share with each bounce; 0 with fewer than 3 errors
 
+    /// The points up to the first whose image is exact: the later ones make the same image in the same time.
+    [[nodiscard]] std::size_t telling_points() const;
     /// Limits that gave up no ray and change the image all the same: none, or a fault.
     [[nodiscard]] std::vector<int> wrong_limits() const;
 };
