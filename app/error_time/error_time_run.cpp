@@ -20,7 +20,7 @@ double share_of(ErrorReport report) {
     switch (report) {
         case ErrorReport::p1: return 0.6;
         case ErrorReport::p2: return 0.2;
-        case ErrorReport::p6: return 0.6;
+        case ErrorReport::p6: return 0.4;
         default: return 0.1;
     }
 }

@@ -60,7 +60,7 @@ void write_truncation(ReportWriter& page, const SceneErrorTime& scene) {
     write_exact(page, report, at);
     std::vector<Cells> rows;
     for (const TruncationCurve& curve : report.curves)
-        for (const TruncationPoint& point : curve.points) add_row(page, at, curve, point, rows);
+        for (std::size_t i = 0; i < curve.telling_points(); ++i) add_row(page, at, curve, curve.points[i], rows);
     page.html +=
         html_table({"machine, traversal, limit", "frame ms", "middle half", "frames", "RMSE", "pixels given up"}, rows);
     page.save_table(fmt::format("p5-{}.csv", scene.name.stem), truncation_csv(report));

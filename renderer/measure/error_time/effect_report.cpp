@@ -89,14 +89,10 @@ EffectPoint adaptive_point(double error, int samples, const AdaptiveRuns& runs) 
     return point;
 }
 
-void mark_front(MeasuredEffect& measured) {
-    std::vector<TimeAndError> all;
-    for (const EffectCurve& curve : measured.curves)
-        for (const EffectPoint& point : curve.points) all.push_back({point.seconds, point.relative_mse});
-    const std::vector<bool> front = pareto_front(all);
-    auto on_front = front.begin();
-    for (EffectCurve& curve : measured.curves)
-        for (EffectPoint& point : curve.points) point.on_front = *on_front++;
+/// Machines that make one picture differ by rounding, which is no reason for a place on the front.
+TimeAndError time_and_error(const EffectPoint& point) {
+    constexpr double steps = 1e5;  // of the logarithm: far above the 1e-8 of rounding, far below any whisker
+    return {point.seconds, std::round(steps * std::log(std::max(point.relative_mse, 1e-300)))};
 }
 
 /// Of all sets of an effect by both samplers.
@@ -124,7 +120,7 @@ class EffectRun {
             for (const LightPoints points : {LightPoints::sequence, LightPoints::independent})
                 measure_points(effect, points, frames, measured);
             if (&effect == &task_.effects.back()) measure_adaptive(effect, frames, measured);
-            mark_front(measured);
+            mark_front(measured.curves, time_and_error);
             report.effects.push_back(std::move(measured));
             ++done_;
             traced_ = 0;

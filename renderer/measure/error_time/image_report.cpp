@@ -59,7 +59,7 @@ class ImageRun {
         flip_ = &flip;
         const std::vector<TimedRounds> frames = time_frames();
         for (const Sampler sampler : samplers) measure_sampler(sampler, frames, report);
-        mark_front(report);
+        mark_front(report.curves, [](const ImagePoint& point) { return TimeAndError{point.seconds, point.rmse}; });
     }
 
   private:
@@ -168,16 +168,6 @@ class ImageRun {
             curve.points.push_back(point);
         }
         curve.fit = fit_power_over_sets(samples, squares);
-    }
-
-    static void mark_front(ImageReport& report) {
-        std::vector<TimeAndError> all;
-        for (const ImageCurve& curve : report.curves)
-            for (const ImagePoint& point : curve.points) all.push_back({point.seconds, point.rmse});
-        const std::vector<bool> front = pareto_front(all);
-        std::size_t i = 0;
-        for (ImageCurve& curve : report.curves)
-            for (ImagePoint& point : curve.points) point.on_front = front[i++];
     }
 
     [[nodiscard]] int all_frames() const {
