@@ -82,7 +82,7 @@ struct Effects {
         for (int sample = 0; sample < samples && !active.empty(); ++sample) {
             config.sampling.sample = sample;
             all.add(traced(config), active);
-            ms += double(active.size()) / double(all.tiles().size());
+            for (const Tile& tile : active) ms += double((tile.x1 - tile.x0) * (tile.y1 - tile.y0)) / (side * side);
             active = all.active(error);
         }
         return {all.frame().colour, ms, all.average_samples(), all.average_samples() < samples};
