@@ -105,6 +105,9 @@ TEST(Truncation, NothingIsLostFromTheMostStepsOfAnyRayOn) {
     const TruncationReport report = report_truncation(truncated.task);
     ASSERT_TRUE(report.complete);
     ASSERT_EQ(report.curves.size(), 3u) << "depths, and budgets by two walks";
+    std::uint64_t largest_leaf = 0;
+    for (const KdNode& node : truncated.tree.nodes)
+        if (node.flag == KD_LEAF) largest_leaf = std::max(largest_leaf, std::uint64_t(node.count));
     int budgets = 0;
     for (const TruncationCurve& curve : report.curves) {
         if (curve.what != Truncation::step_budget) continue;
@@ -116,7 +119,8 @@ TEST(Truncation, NothingIsLostFromTheMostStepsOfAnyRayOn) {
         EXPECT_GT(curve.points.front().given_up, 0);
         EXPECT_GT(curve.most_steps, 32u);
         for (const TruncationPoint& point : curve.points) {
-            if (std::uint64_t(point.limit) >= curve.most_steps) {
+            // Triangles count when their leaf is entered; of a last leaf some may be left untested.
+            if (std::uint64_t(point.limit) > curve.most_steps + largest_leaf) {
                 EXPECT_EQ(point.given_up, 0) << point.limit;
             }
             if (point.given_up == 0) {
