@@ -106,8 +106,8 @@ TEST(Truncation, NothingIsLostFromTheMostStepsOfAnyRayOn) {
     ASSERT_TRUE(report.complete);
     ASSERT_EQ(report.curves.size(), 3u) << "depths, and budgets by two walks";
     std::uint64_t largest_leaf = 0;
-    for (const KdNode& node : truncated.tree.nodes)
-        if (node.flag == KD_LEAF) largest_leaf = std::max(largest_leaf, std::uint64_t(node.count));
+    for (const TreeNode& node : truncated.tree.nodes)
+        if (node.is_leaf()) largest_leaf = std::max(largest_leaf, std::uint64_t(node.count));
     int budgets = 0;
     for (const TruncationCurve& curve : report.curves) {
         if (curve.what != Truncation::step_budget) continue;
