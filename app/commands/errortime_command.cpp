@@ -42,10 +42,10 @@ std::set<ErrorReport> parse_reports(std::string text) {
     for (std::string word; words >> word;) {
         const auto found = std::ranges::find(error_report_names, word);
         if (found == error_report_names.end())
-            refuse(fmt::format("there is no report '{}'; known: P1, P2, P3, P4", word));
+            refuse(fmt::format("there is no report '{}'; known: {}", word, fmt::join(error_report_names, ", ")));
         reports.insert(ErrorReport(found - error_report_names.begin()));
     }
-    if (reports.empty()) refuse("it names no report; known: P1, P2, P3, P4");
+    if (reports.empty()) refuse(fmt::format("it names no report; known: {}", fmt::join(error_report_names, ", ")));
     return reports;
 }
 
@@ -65,13 +65,13 @@ ErrorTimeConfig complete(const ErrorTimeOptions& options) {
 
 int run(const CLI::App& app, const ErrorTimeOptions& options, CommandContext& context) {
     const ErrorTimeConfig config = complete(options);
-    const bool images = config.wants(ErrorReport::p1);
-    const char* p1_alone = "only P1 uses it, which --report leaves out";
-    note_idle(app, {{"--tracer", images, p1_alone}, {"--context", images, p1_alone}, {"--traversal", images, p1_alone}},
+    const bool machines = config.wants_machines();
+    const char* alone = "only P1, P5 and P6 use it, which --report leaves out";
+    note_idle(app, {{"--tracer", machines, alone}, {"--context", machines, alone}, {"--traversal", machines, alone}},
               context);
-    const bool frames = images || config.wants(ErrorReport::p3) || config.wants(ErrorReport::p4);
+    const bool frames = machines || config.wants(ErrorReport::p3) || config.wants(ErrorReport::p4);
     note_idle(app, {{"--no-shadows", frames, "P2 traces single rays; the other reports trace frames"}}, context);
-    if (images) require_context(options, true);
+    if (machines) require_context(options, true);
     std::vector<OpenedScene> scenes;
     for (const std::string& name : options.scenes) {
         OpenedScene opened{options.session_for(name), {}};
@@ -109,9 +109,9 @@ CommandBody declare(CLI::App& app) {
     app.add_option("-o,--output", options->folder, "Folder for page, diagrams and tables; made if missing")
         ->required()
         ->type_name("FOLDER");
-    add_text_option(app, "--report", "P1,P2,...", "The reports to make [P1,P2,P3,P4]",
+    add_text_option(app, "--report", "P1,P2,...", "The reports to make [P1,P2,P3,P4,P5,P6]",
                     [o = options](const std::string& text) { o->config.reports = parse_reports(text); });
-    app.add_flag("--quick", options->config.quick, "Small images, few rays: a look in half a minute");
+    app.add_flag("--quick", options->config.quick, "Small images, few rays and samples: a look in half a minute");
     add_number<double>(
         app, "--seconds", options->seconds, 1, 1e6,
         fmt::format("Time to aim at, for all of it [{}; --quick {}]", options->config.seconds, quick_seconds));
@@ -127,18 +127,21 @@ CommandBody declare(CLI::App& app) {
 }  // namespace
 
 Command errortime_command() {
-    return {"errortime", "Draws error against run time: samples, triangle tests, rules, trees",
+    return {"errortime", "Draws error against run time: samples, triangle tests, rules, trees, light",
             "Work-precision diagrams with their tables and a page that explains them, index.html:\n"
             "  P1  image error (RMSE, FLIP) against seconds: samples per pixel, sampler, traversal, machine\n"
             "  P2  lost rays and errors of t against ns per ray: triangle test, rules, traversal, precision\n"
             "  P3  predicted cost of trees against what lines and rays pay\n"
             "  P4  build time against the quality of trees, and from how many frames on it pays\n"
+            "  P5  image error against seconds where paths end after fewer reflections, walks after fewer steps\n"
+            "  P6  image error (relMSE) of sampled light against seconds: each effect, sampler, machine, adaptively\n"
             "Prints the path of every file. What does not apply to a scene is left out, and the page says why.\n"
-            "Exits 1 where an image depends on the traversal, the watertight test loses a ray under robust rules, or\n"
-            "lines do not pay what is predicted.\n\n"
+            "Exits 1 where an image depends on the traversal, the watertight test loses a ray under robust rules,\n"
+            "lines do not pay what is predicted, or a step budget that ends no walk changes the image.\n\n"
             "Examples:\n"
             "  kdscope errortime cornell ball:9000 -o out/et\n"
-            "  kdscope errortime ball:9000 -o out/p1 --report P1 --tracer gl-fragment --context egl\n",
+            "  kdscope errortime ball:9000 -o out/p1 --report P1 --tracer gl-fragment --context egl\n"
+            "  kdscope errortime cornell -o out/light --report P5,P6 --seconds 120\n",
             declare};
 }
 

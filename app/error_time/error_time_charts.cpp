@@ -5,36 +5,17 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/choices.h"
+#include "app/error_time/error_time_chart_parts.h"
 #include "app/report/sampled_curve_look.h"
-#include "renderer/measure/error_time/ranking.h"
 #include "viz/chart_axis.h"
 
 namespace kd {
 
 namespace {
 
-ChartInterval drawn(const Interval& interval) { return {interval.low, interval.high}; }
-
 // --- P1 ---
 
-Stroke stroke_of(const std::string& traversal) {
-    const auto found = std::ranges::find(traversals(), traversal, &TraversalInfo::name);
-    return found == traversals().end() ? Stroke::solid : stroke_of(found->id);
-}
-
 enum class Measure { rmse, flip };
-
-/// Rings for the points that no other beats in both.
-void mark_front(Chart& chart) {
-    std::vector<TimeAndError> all;
-    for (const ChartCurve& curve : chart.curves)
-        for (const ChartPoint& point : curve.points) all.push_back({point.x, point.y});
-    const std::vector<bool> front = pareto_front(all);
-    auto on_front = front.begin();
-    for (ChartCurve& curve : chart.curves)
-        for (ChartPoint& point : curve.points) point.marked = *on_front++;
-}
 
 ChartPoint point_of(const ImageCurve& curve, const ImagePoint& point, Measure measure) {
     ChartPoint drawn_point;
@@ -63,7 +44,7 @@ Chart image_chart(const SceneErrorTime& scene, const std::string& title, Measure
         drawn_curve.name = fmt::format("{}, {}", name_of(curve.sampler), by_machine ? curve.machine : curve.traversal);
         drawn_curve.ink = ink_of(curve.sampler);
         drawn_curve.stroke = stroke_of(curve.traversal);
-        drawn_curve.marker = marker_of_machine(curve.machine.starts_with(name_of(TracerKind::cpu)));
+        drawn_curve.marker = marker_of_machine(is_cpu(curve.machine));
         for (const ImagePoint& point : curve.points) drawn_curve.points.push_back(point_of(curve, point, measure));
         chart.curves.push_back(std::move(drawn_curve));
     }
@@ -256,7 +237,7 @@ Chart build_chart(const SceneErrorTime& scene, const std::string& what, const Fi
         ChartCurve& curve = curve_of(chart, row);
         ChartPoint point;
         point.x = 1e-3 * row.build.median_ms;
-        point.x_interval = ChartInterval{1e-3 * row.build.p25_ms, 1e-3 * row.build.p75_ms};
+        point.x_interval = middle_half(row.build);
         point.label = label_of(row);
         fill(row, point);
         point.text = fmt::format("{}: {:.3g} s, {:.4g} times", row.name(), point.x, point.y);

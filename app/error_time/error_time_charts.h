@@ -1,4 +1,4 @@
-// The diagrams of the reports. Those of P1, P2 and P4 are work-precision diagrams: what a method takes along x, how far
+// The diagrams of the reports. All but those of P3 are work-precision diagrams: what a method takes along x, how far
 // off it is along y, both logarithmic; lower left is better. Those of P3 hold a prediction against what is paid.
 #pragma once
 
@@ -30,5 +30,9 @@ struct MissingFigure {
 [[nodiscard]] std::vector<ErrorFigure> prediction_figures(const SceneErrorTime& scene);
 /// Those of P4: SAH cost and frame time over build time.
 [[nodiscard]] std::vector<ErrorFigure> build_figures(const SceneErrorTime& scene);
+/// Those of P5: bounces, and step budgets, where they were measured.
+[[nodiscard]] std::vector<ErrorFigure> truncation_figures(const SceneErrorTime& scene);
+/// Those of P6: one for each effect.
+[[nodiscard]] std::vector<ErrorFigure> effect_figures(const SceneErrorTime& scene);
 
 }  // namespace kd

@@ -22,6 +22,14 @@ void add_hit_faults(const HitReport& report, std::vector<ErrorTimeFault>& faults
                                           info(row.method.traversal).name, row.missed + row.wrong, row.n)});
 }
 
+void add_truncation_faults(const SceneErrorTime& scene, std::vector<ErrorTimeFault>& faults) {
+    for (const TruncationCurve& curve : scene.truncation->curves)
+        for (const int limit : curve.wrong_limits())
+            faults.push_back({ErrorReport::p5, scene.name.shown,
+                              fmt::format("{} on {}: a budget of {} steps gives up no ray and changes the image",
+                                          curve.traversal, curve.machine, limit)});
+}
+
 void add_cost_faults(const SceneErrorTime& scene, std::vector<ErrorTimeFault>& faults) {
     for (const TreeRow& row : scene.trees->rows)
         if (row.line_ratios.verdict() == LineVerdict::wrong)
@@ -40,6 +48,7 @@ std::vector<ErrorTimeFault> faults_of(const ErrorTimeResults& results) {
     std::vector<ErrorTimeFault> faults;
     for (const SceneErrorTime& scene : results.scenes) {
         if (scene.images) add_image_faults(scene, faults);
+        if (scene.truncation) add_truncation_faults(scene, faults);
         if (scene.trees && results.config.wants(ErrorReport::p3)) add_cost_faults(scene, faults);
     }
     if (results.hits) add_hit_faults(*results.hits, faults);

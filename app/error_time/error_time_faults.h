@@ -16,8 +16,8 @@ struct ErrorTimeFault {
     [[nodiscard]] std::string where() const;  // "P1 of ball:9000"
 };
 
-/// Traversals that change the image (P1), rays that the watertight test loses under robust rules (P2), and trees whose
-/// cost is not what lines pay (P3). Speed is never wrong.
+/// Traversals that change the image (P1), rays that the watertight test loses under robust rules (P2), trees whose cost
+/// is not what lines pay (P3), and step budgets that end no walk and change the image (P5). Speed is never wrong.
 [[nodiscard]] std::vector<ErrorTimeFault> faults_of(const ErrorTimeResults& results);
 
 }  // namespace kd

@@ -14,10 +14,10 @@ namespace {
 
 void write_head(ReportWriter& page, const ErrorTimeResults& results) {
     page.html =
-        "<h1>Error against run time</h1>\n<p>The diagrams of P1, P2 and P4 have what a method takes along x and how "
-        "far "
-        "off it is along y, both logarithmic: lower left is better, and a ring marks what nothing beats in both. Those "
-        "of P3 hold a prediction against what is paid, which is neither.</p>\n";
+        "<h1>Error against run time</h1>\n<p>The diagrams have what a method takes along x and how far off it is along "
+        "y, both logarithmic: lower left is better, and a ring marks what nothing beats in both. Those of P3 alone "
+        "hold "
+        "a prediction against what is paid, which is neither.</p>\n";
     if (!can_draw_charts()) page.html += fmt::format("<p>{}.</p>\n", no_gnuplot_text);
     std::set<std::string> wrong;
     for (const ErrorTimeFault& fault : faults_of(results)) wrong.insert(fault.where());
@@ -50,6 +50,8 @@ std::vector<std::string> write_error_time(const std::filesystem::path& folder, c
     if (results.hits) write_p2(page, *results.hits);
     if (results.config.wants(ErrorReport::p3)) write_p3(page);
     if (results.config.wants(ErrorReport::p4)) write_p4(page);
+    if (results.config.wants(ErrorReport::p5)) write_p5(page);
+    if (results.config.wants(ErrorReport::p6)) write_p6(page);
     write_end(page);
     return page.names();
 }

@@ -2,63 +2,35 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <memory>
 
-#include "app/choices.h"
 #include "app/cli/command.h"
-#include "app/frame/counted_frame.h"
-#include "app/frame/frame_tracer.h"
-#include "app/frame/open_or_note.h"
+#include "app/error_time/frame_reports.h"
 #include "app/report/machine_info.h"
 #include "app/scenes.h"
-#include "renderer/measure/double_path.h"
 #include "renderer/scene/needs.h"
 
 namespace kd {
 
 namespace {
 
-constexpr int probe_side = 64;
 constexpr std::size_t least_triangles = 65;  // below it no tree is worth building
-
-using Progress = std::function<void(float, const std::string&)>;
 
 /// The share of the time that a report gets when all are made.
 double share_of(ErrorReport report) {
     switch (report) {
         case ErrorReport::p1: return 0.6;
         case ErrorReport::p2: return 0.2;
+        case ErrorReport::p6: return 0.4;
         default: return 0.1;
     }
 }
-
-/// The machines of one scene, and what they are.
-struct Machines {
-    std::vector<std::pair<TracerKind, std::unique_ptr<FrameTracer>>> all;
-
-    Machines(const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result) {
-        const AskedFor asked{config.gl_demanded, config.gl_demanded};
-        for (const TracerKind kind : config.tracers)
-            open_or_note(
-                asked, [&] { add(kind, config, opened, tree); },
-                [&](const std::string& why) {
-                    result.left_out.push_back({ErrorReport::p1, fmt::format("{}: {}", name_of(kind), why)});
-                });
-    }
-
-  private:
-    void add(TracerKind kind, const ErrorTimeConfig& config, const OpenedScene& opened, const KdTree& tree) {
-        const GlChoices gl{.context = config.context, .early_z = opened.session.early_z};
-        all.emplace_back(kind, make_frame_tracer(kind, opened.scene, tree, opened.session.threads, gl));
-    }
-};
 
 /// What the rows name themselves; how large images are, scenes.csv tells.
 constexpr std::initializer_list<const char*> varied{"scene", "width", "height", "tracer", "traversal"};
 
 class Run {
   public:
-    Run(const ErrorTimeConfig& config, const std::vector<OpenedScene>& scenes, const Progress& progress,
+    Run(const ErrorTimeConfig& config, const std::vector<OpenedScene>& scenes, const ReportProgress& progress,
         const std::stop_token& stop)
         : config_(config), scenes_(scenes), progress_(progress), stop_(stop) {
         for (const ErrorReport report : config.reports) all_shares_ += share_of(report);
@@ -87,7 +59,7 @@ class Run {
     }
 
     /// Progress of a part that takes `share` of the whole, after those before it.
-    Progress part(double share) {
+    ReportProgress part(double share) {
         const double from = done_;
         done_ += share;
         return [this, from, share](float fraction, const std::string& what) {
@@ -104,106 +76,56 @@ class Run {
         result.session = opened.session;
         result.contents = contents_text(opened.scene) + (opened.session.trace.shadows ? "" : ", no shadow rays");
         result.name = name;
-        const double share = 1 / double(scenes_.size()) / all_shares_;
-        double trees = 0;
-        for (const ErrorReport report : {ErrorReport::p3, ErrorReport::p4})
-            if (config_.wants(report)) trees += share_of(report);
-        const bool images = config_.wants(ErrorReport::p1);
-        if (!images && trees == 0) return result;
+        const bool trees = config_.wants(ErrorReport::p3) || config_.wants(ErrorReport::p4);
+        if (!config_.wants_machines() && !trees) return result;
         const KdTree tree =
             build_tree(opened.scene.triangles, opened.session.build, nullptr, {}, stop_, opened.session.threads);
         check();
-        if (images) measure_images(opened, tree, result, part(share * share_of(ErrorReport::p1)));
-        if (trees > 0) measure_trees(opened, tree, result, part(share * trees));
+        if (config_.wants_machines()) measure_frames(opened, tree, result);
+        if (trees) measure_trees(opened, tree, result, scene_part(ErrorReport::p3, ErrorReport::p4));
         return result;
     }
 
-    void measure_images(const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result,
-                        const Progress& progress) {
-        progress(0, fmt::format("{}: a first look", opened.session.scene));
+    /// Progress of one scene's part of these reports.
+    template <class... Reports>
+    ReportProgress scene_part(Reports... reports) {
+        return part(((config_.wants(reports) ? share_of(reports) : 0) + ...) / double(scenes_.size()) / all_shares_);
+    }
+
+    void measure_frames(const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result) {
+        const auto leave_out = [&](const std::string& why) {
+            for (const ErrorReport report : config_.reports)
+                if (traces_by_machines(report)) result.left_out.push_back({report, why});
+        };
         if (opened.scene.triangles.empty()) {
-            result.left_out.push_back({ErrorReport::p1, "the scene has no triangles, so every sample is the same"});
+            leave_out("the scene has no triangles, so every sample is the same");
             return;
         }
-        Machines machines(config_, opened, tree, result);
-        const TriangleBoxes boxes(opened.scene.triangles);
-        ImageTask task{opened.scene,        boxes, opened.session.trace, {}, {}, opened.session.threads,
-                       opened.session.seed, 0};
-        const double seconds = seconds_for(ErrorReport::p1, false);
-        task.frame_seconds = 0.1 * seconds;
-        auto side = std::make_shared<int>(probe_side);
-        for (auto& [kind, tracer] : machines.all)
-            for (const Traversal traversal : config_.traversals) add_method(kind, *tracer, traversal, side, task);
-        task.plan = plan_images(0.85 * seconds, probe(task), probe_reference(task), probe_side * probe_side);
-        *side = task.plan.width;
-        note_given_up(machines, task, result.notes);
-        for (auto& [kind, tracer] : machines.all) {
-            for (ImageMethod& method : task.methods)
-                if (method.machine == name_of(kind)) method.clock = tracer->clock();
-            if (!runs_on_cpu(kind)) note_gl(*tracer);
-        }
-        check();
-        const auto told = [&](float done, const std::string& what) {
-            progress(done, fmt::format("{}: {}", opened.session.scene, what));
+        const auto missing = [&](const std::string& machine, const std::string& why) {
+            leave_out(fmt::format("{}: {}", machine, why));
         };
-        result.images = report_images(task, told, stop_);
-        check();
-    }
-
-    void add_method(TracerKind kind, FrameTracer& tracer, Traversal traversal, const std::shared_ptr<int>& side,
-                    ImageTask& task) const {
-        TraceConfig config = task.config;
-        config.traversal = traversal;
-        config.counters = false;
-        tracer.prepare(config, *side, *side);
-        task.methods.push_back({std::string(name_of(kind)), std::string(info(traversal).name), "",
-                                [&tracer, config, side, this](const PinholeCamera& camera, Image<Vec4>& colour) {
-                                    const FrameTime time = tracer.trace(config, camera, *side, *side, stop_);
-                                    colour = tracer.frame(config).colour;
-                                    return time.sample();
-                                }});
-    }
-
-    /// The frames of a report have no counters, so a first one of each method has.
-    void note_given_up(Machines& machines, const ImageTask& task, std::vector<std::string>& notes) const {
-        const int width = task.plan.width, height = task.plan.height;
-        TraceConfig config = task.config;
-        for (auto& [kind, tracer] : machines.all)
-            for (const Traversal traversal : config_.traversals) {
-                config.traversal = traversal;
-                const auto frame =
-                    trace_counted(*tracer, config, pinhole(task.scene.camera, width, height), width, height, stop_);
-                check();
-                note_unfinished(frame.value(), fmt::format("{} on {}", info(traversal).name, name_of(kind)), notes);
-            }
-    }
-
-    /// Its clock is known once it has traced.
-    void note_gl(const FrameTracer& tracer) { results_.on = measured_on(scenes_.front().session, varied, &tracer); }
-
-    /// Wall clock of a small frame by each method, all that it takes; the second of two.
-    [[nodiscard]] std::vector<double> probe(ImageTask& task) const {
-        std::vector<double> times;
-        const PinholeCamera camera = pinhole(task.scene.camera, probe_side, probe_side);
-        Image<Vec4> colour;
-        for (ImageMethod& method : task.methods) {
-            double ms = 0;
-            for (int i = 0; i < 2; ++i) ms = wall_ms([&] { method.trace(camera, colour); });
-            times.push_back(ms);
-            check();
-        }
-        return times;
-    }
-
-    [[nodiscard]] double probe_reference(const ImageTask& task) const {
-        return wall_ms([&] {
-            (void)double_frame(task.scene, pinhole(task.scene.camera, probe_side, probe_side), probe_side, probe_side,
-                               path_config(task.scene, task.config), task.threads, stop_, &task.boxes);
-        });
+        progress_(float(done_), fmt::format("{}: a first look", opened.session.scene));
+        std::vector<FrameMachine> machines = open_machines(config_, opened, tree, missing, stop_);
+        if (machines.empty()) return;
+        for (const FrameMachine& machine : machines)
+            if (!runs_on_cpu(machine.kind))
+                results_.on = measured_on(scenes_.front().session, varied, machine.tracer.get());
+        const auto measure = [&](ErrorReport report, auto measure_report) {
+            if (!config_.wants(report)) return;
+            const ReportProgress told = scene_part(report);
+            const auto named = [&](float done, const std::string& what) {
+                told(done, fmt::format("{}: {}", opened.session.scene, what));
+            };
+            measure_report(FrameReportTask{config_, opened, tree, machines, seconds_for(report, false), named, stop_},
+                           result);
+        };
+        measure(ErrorReport::p1, measure_images);
+        measure(ErrorReport::p5, measure_truncation);
+        measure(ErrorReport::p6, measure_effects);
     }
 
     void measure_trees(const OpenedScene& opened, const KdTree& tree, SceneErrorTime& result,
-                       const Progress& progress) {
+                       const ReportProgress& progress) {
         const std::size_t triangles = opened.scene.triangles.size();
         const auto leave_out = [&](ErrorReport report, const std::string& why) {
             if (config_.wants(report)) result.left_out.push_back({report, why});
@@ -261,7 +183,7 @@ class Run {
 
     const ErrorTimeConfig& config_;
     const std::vector<OpenedScene>& scenes_;
-    const Progress& progress_;
+    const ReportProgress& progress_;
     const std::stop_token& stop_;
     ErrorTimeResults results_;
     double all_shares_ = 0, done_ = 0;
@@ -270,7 +192,7 @@ class Run {
 }  // namespace
 
 ErrorTimeResults run_error_time(const ErrorTimeConfig& config, const std::vector<OpenedScene>& scenes,
-                                const Progress& progress, const std::stop_token& stop) {
+                                const ReportProgress& progress, const std::stop_token& stop) {
     return Run(config, scenes, progress, stop).measure();
 }
 

@@ -99,6 +99,45 @@ std::string tau_csv(const TreeReport& report) {
     return text;
 }
 
+std::string truncation_csv(const TruncationReport& report) {
+    std::string text =
+        "limited,machine,traversal,clock,limit,frame_ms,frame_ms_p25,frame_ms_p75,frames,rmse,given_up_pixels,on_front,"
+        "most_steps\n";
+    for (const TruncationCurve& c : report.curves)
+        for (const TruncationPoint& p : c.points)
+            text +=
+                csv_row(name_of(c.what), c.machine, c.traversal, c.clock, p.limit, p.frame.median_ms, p.frame.p25_ms,
+                        p.frame.p75_ms, p.frame.samples, p.rmse, p.given_up, p.on_front, c.most_steps);
+    return text;
+}
+
+std::string effect_csv(const EffectReport& report) {
+    std::string text =
+        "effect,points,machine,samples,average_samples,asked_error,seconds,seconds_p25,seconds_p75,relmse,relmse_low,"
+        "relmse_high,rmse,on_front\n";
+    for (const MeasuredEffect& e : report.effects)
+        for (const EffectCurve& c : e.curves)
+            for (const EffectPoint& p : c.points)
+                text += csv_row(e.effect.name, name_of(c.light_points), c.machine, p.samples, p.average_samples,
+                                p.asked_error > 0 ? std::optional(p.asked_error) : std::nullopt, p.seconds,
+                                p.quartiles.low, p.quartiles.high, p.relative_mse, p.relative_mse_interval.low,
+                                p.relative_mse_interval.high, p.rmse, p.on_front);
+    return text;
+}
+
+std::string effect_slope_csv(const EffectReport& report) {
+    std::string text =
+        "effect,points,machine,clock,slope,slope_low,slope_high,frame_ms,frame_ms_p25,frame_ms_p75,frames,largest_gap,"
+        "reference_relmse,reference_rmse\n";
+    for (const MeasuredEffect& e : report.effects)
+        for (const EffectCurve& c : e.curves)
+            if (c.light_points != LightPoints::adaptive)
+                text += csv_row(e.effect.name, name_of(c.light_points), c.machine, c.clock, c.fit.slope,
+                                c.fit.interval.low, c.fit.interval.high, c.frame.median_ms, c.frame.p25_ms,
+                                c.frame.p75_ms, c.frame.samples, c.gap, e.reference_relative_mse, e.reference_rmse);
+    return text;
+}
+
 std::string ShownNumbers::operator()(const std::string& name, double value, const char* format) {
     return shown(name, value, fmt::format(fmt::runtime(format), value));
 }

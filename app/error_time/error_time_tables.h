@@ -21,6 +21,12 @@ namespace kd {
 /// Kendall's tau of the prediction with each kind of rays and with the time of a frame.
 [[nodiscard]] std::string tau_csv(const TreeReport& report);
 
+/// Every point of every curve of P5.
+[[nodiscard]] std::string truncation_csv(const TruncationReport& report);
+/// Every point of every curve of P6, and the slopes of the curves.
+[[nodiscard]] std::string effect_csv(const EffectReport& report);
+[[nodiscard]] std::string effect_slope_csv(const EffectReport& report);
+
 /// The numbers that a page shows, each under a name: what is shown is what the table holds.
 class ShownNumbers {
   public:

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The four reports of error against run time on two scenes, whole: slopes, lines, and nothing that is wrong.
+# The six reports of error against run time on two scenes, whole: slopes, lines, and nothing that is wrong.
 set -euo pipefail
 
 fail() { echo "FAIL: $*" && exit 1; }
@@ -9,7 +9,7 @@ begun=$SECONDS
 "$KDSCOPE" errortime cornell ball:9000 -o et >files.txt || fail "exit code $?"
 [[ -n ${KD_PATIENCE:-} ]] || ((SECONDS - begun < 900)) || fail "it took $((SECONDS - begun)) s, more than fifteen minutes"
 while read -r file; do [[ -s $file ]] || fail "$file is not there"; done <files.txt
-for file in index.html numbers.csv p1-cornell-slopes.csv p2.csv p3-ball-9000-tau.csv p4-ball-9000.csv; do
+for file in index.html numbers.csv p1-cornell-slopes.csv p2.csv p3-ball-9000-tau.csv p4-ball-9000.csv p5-cornell.csv p6-cornell.csv; do
     grep -q "/$file\$" files.txt || fail "$file is not told"
 done
 
@@ -29,6 +29,11 @@ for scene in cornell ball:9000; do
         holds "$scene: slope of stratified samples on $machine" "$stratified" -1.2 \
             "$(awk -v s="$independent" 'BEGIN { print s - 0.125 }')"
     done
+    # The variance of a mean falls by the number of samples; a sequence of low discrepancy beats that.
+    holds "$scene: slope of the relMSE of independent light" \
+        "$(number "$scene: P6: indirect light, independent, cpu: slope\"")" -1.15 -0.85
+    holds "$scene: slope of the relMSE of the light's sequence" \
+        "$(number "$scene: P6: indirect light, sequence, cpu: slope\"")" -2 -1.15
     holds "$scene: error of the lines, percent" "$(number "$scene: P3: largest error, percent")" 0 5
 done
 grep -q "<b>Wrong</b>" et/index.html && fail "the page names a fault"

@@ -59,7 +59,7 @@ class ImageRun {
         flip_ = &flip;
         const std::vector<TimedRounds> frames = time_frames();
         for (const Sampler sampler : samplers) measure_sampler(sampler, frames, report);
-        mark_front(report);
+        mark_front(report.curves, [](const ImagePoint& point) { return TimeAndError{point.seconds, point.rmse}; });
     }
 
   private:
@@ -170,16 +170,6 @@ class ImageRun {
         curve.fit = fit_power_over_sets(samples, squares);
     }
 
-    static void mark_front(ImageReport& report) {
-        std::vector<TimeAndError> all;
-        for (const ImageCurve& curve : report.curves)
-            for (const ImagePoint& point : curve.points) all.push_back({point.seconds, point.rmse});
-        const std::vector<bool> front = pareto_front(all);
-        std::size_t i = 0;
-        for (ImageCurve& curve : report.curves)
-            for (ImagePoint& point : curve.points) point.on_front = front[i++];
-    }
-
     [[nodiscard]] int all_frames() const {
         int frames = 0;
         for (const Sampler sampler : samplers)
@@ -248,23 +238,19 @@ bool ImageReport::same_images() const {
 
 ReferenceImage reference_image(const ImageTask& task, const std::function<void(float)>& progress,
                                const std::stop_token& stop) {
-    const auto& [width, height] = std::pair(task.plan.width, task.plan.height);
+    const int width = task.plan.width, height = task.plan.height;
     const PinholeCamera camera = pinhole(task.scene.camera, width, height);
     const PathConfig path = path_config(task.scene, task.config);
     const int per_half = std::max(1, task.plan.reference_samples / 2);
-    std::array halves{SampleMean(width, height), SampleMean(width, height)};
-    for (std::size_t half = 0; half < halves.size(); ++half) {
-        const auto offsets = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
-        for (std::size_t i = 0; i < offsets.size(); ++i) {
-            if (stop.stop_requested()) return {};
-            halves[half].add(double_frame(task.scene, shifted(camera, offsets[i], width, height), width, height, path,
-                                          task.threads, stop, &task.boxes));
-            if (progress) progress(float(half * offsets.size() + i + 1) / float(2 * offsets.size()));
-        }
-    }
-    SampleMean both(width, height);
-    for (const SampleMean& half : halves) both.add(half.mean());
-    return {both.mean(), 0.5 * std::sqrt(mean_square_error(halves[0].mean(), halves[1].mean()))};
+    std::array<std::vector<glm::dvec2>, 2> offsets;
+    for (std::size_t half = 0; half < offsets.size(); ++half)
+        offsets[half] = sample_offsets(Sampler::stratified, per_half, reference_seed + task.seed + half);
+    const auto frame = [&](int half, int sample) {
+        const glm::dvec2 offset = offsets[std::size_t(half)][std::size_t(sample)];
+        return double_frame(task.scene, shifted(camera, offset, width, height), width, height, path, task.threads, stop,
+                            &task.boxes);
+    };
+    return reference_of_halves(width, height, 2 * per_half, frame, progress, stop);
 }
 
 ImageReport report_images(const ImageTask& task, const std::function<void(float, const std::string&)>& progress,

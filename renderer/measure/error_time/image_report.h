@@ -9,6 +9,7 @@
 
 #include "renderer/geometry/image.h"
 #include "renderer/measure/error_time/fit.h"
+#include "renderer/measure/error_time/reference_image.h"
 #include "renderer/measure/error_time/sampling.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
@@ -97,12 +98,7 @@ struct ImageTask {
                                         const std::function<void(float, const std::string&)>& progress = {},
                                         std::stop_token stop = {});
 
-/// `samples` stratified samples per pixel in double precision, as two halves of disjoint samples. Incomplete where
-/// stopped.
-struct ReferenceImage {
-    Image<glm::dvec3> mean;
-    double rmse = 0;  // half the root mean square difference of the halves
-};
+/// The plan's samples per pixel, stratified, in double precision. No image where stopped.
 [[nodiscard]] ReferenceImage reference_image(const ImageTask& task, const std::function<void(float)>& progress,
                                              const std::stop_token& stop);
 

@@ -1,0 +1,28 @@
+#include "app/error_time/error_time_chart_parts.h"
+
+#include <algorithm>
+
+#include "app/choices.h"
+#include "app/report/sampled_curve_look.h"
+#include "renderer/measure/error_time/ranking.h"
+
+namespace kd {
+
+Stroke stroke_of(const std::string& traversal) {
+    const auto found = std::ranges::find(traversals(), traversal, &TraversalInfo::name);
+    return found == traversals().end() ? Stroke::solid : stroke_of(found->id);
+}
+
+bool is_cpu(const std::string& machine) { return machine.starts_with(name_of(TracerKind::cpu)); }
+
+void mark_front(Chart& chart) {
+    std::vector<TimeAndError> all;
+    for (const ChartCurve& curve : chart.curves)
+        for (const ChartPoint& point : curve.points) all.push_back({point.x, point.y});
+    const std::vector<bool> front = pareto_front(all);
+    auto on_front = front.begin();
+    for (ChartCurve& curve : chart.curves)
+        for (ChartPoint& point : curve.points) point.marked = *on_front++;
+}
+
+}  // namespace kd
