@@ -53,6 +53,20 @@ rows = [row for run in report["bench"] for row in run["report"]]
 assert rows and all(row["nodes"] == 8 and row["builder"] == "exact" for row in rows), rows
 assert report["stability"][0]["report"]["measured_on"]["settings"]["builder"] == "paper"
 PY
+# A GPU whose place software OpenGL took has not been measured.
+mkdir -p ../with_gpu
+printf '#!/bin/sh\necho "A GPU, 1.0"\n' >../with_gpu/nvidia-smi
+chmod +x ../with_gpu/nvidia-smi
+clean PATH="$PWD/../with_gpu:/usr/bin:/bin" gpu-bench/gpu-bench stood_in "${tiny[@]:2}" >said.txt || true
+python3 - "$(cat said.txt)" <<'PY' || exit 1
+import json, sys
+report = json.load(open("stood_in/report.json"))
+assert report["gpu"] == "A GPU, 1.0"
+renderers = {row["renderer"] for run in report["bench"] for row in run["report"] if row["tracer"].startswith("gl-")}
+software = any("llvmpipe" in renderer for renderer in renderers)
+assert report["passed"] is not software, renderers
+assert ("A GPU, 1.0 is here, but OpenGL came from " in sys.argv[1]) is software, sys.argv[1]
+PY
 # A program that breaks is told, and the report is JSON all the same.
 printf '#!/bin/sh\necho "driver \\"gone\\"" >&2\nexit 3\n' >gpu-bench/start
 if clean gpu-bench/gpu-bench broken "${tiny[@]}" >said.txt; then fail "a broken program passes"; fi
@@ -88,3 +102,11 @@ printf '#!/usr/bin/env bash\nargs=()\nfor a; do [[ $a == -* ]] || args+=("${a#th
 chmod +x ../stand_in/ssh ../stand_in/scp
 PATH=$PWD/../stand_in:$PATH "$KD_SOURCE_DIR/tools/gpu-bench" over ssh there fetched "${tiny[@]}" >said.txt || fail "over ssh: $(cat said.txt)"
 python3 -c 'import json; assert json.load(open("fetched/report.json"))["passed"] is True' || fail "the report over ssh"
+# Without an option none is passed on. A run that fails there leaves its exit code here, and no folder there.
+printf '#!/usr/bin/env bash\nshift\necho "$*" >>words.txt\n[[ "$*" == *gpu-bench\\ out* ]] && exit 2\nexec bash -c "$*"\n' >../stand_in/ssh
+status=0
+PATH=$PWD/../stand_in:$PATH "$KD_SOURCE_DIR/tools/gpu-bench" over ssh there nothing >said.txt 2>&1 || status=$?
+((status == 2)) || fail "a failed run over ssh is exit code $status: $(cat said.txt)"
+grep -q 'gpu-bench/gpu-bench out$' words.txt || fail "words over ssh: $(cat words.txt)"
+grep -q 'there has nothing to bring back' said.txt || fail "said of a run without files: $(cat said.txt)"
+[[ $(tail -1 words.txt) == "rm -rf /"* && ! -e $(sed -n '$s/^rm -rf //p' words.txt) ]] || fail "left behind: $(tail -1 words.txt)"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/kdtree/build.h"
+#include "renderer/measure/pixel_rays.h"
 #include "tests/bench/bench_scene.h"
 #include "tests/bench/rule_steps.h"
 
@@ -14,7 +15,7 @@ class RobustSteps : public testing::TestWithParam<const char*> {};
 TEST_P(RobustSteps, AreAtMostThreePercentMoreThanThePublishedOnes) {
     const FlatScene scene = bench_scene(GetParam());
     const KdTree tree = build_tree(scene.triangles, {});
-    const std::vector<Ray> rays = primary_rays(scene);
+    const std::vector<Ray> rays = pixel_rays(pinhole(scene.camera, image_size, image_size), image_size, image_size);
     CpuTracer tracer(scene, tree);
     const std::uint64_t robust = stack_steps(tracer, Rules::robust, rays);
     const std::uint64_t published = stack_steps(tracer, Rules::as_published, rays);
