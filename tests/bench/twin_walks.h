@@ -8,7 +8,7 @@ namespace kd {
 enum class Twin {
     whole,      // as the program compiles it, with an observer that does nothing
     no_hooks,   // no observer is ever told
-    no_budget,  // nor are steps counted
+    no_budget,  // nor are steps counted, which packets never do
 };
 
 /// Nearest hits by the stack under robust rules over nodes of 16 bytes, uncounted, on this thread, with the widest
