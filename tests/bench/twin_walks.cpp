@@ -70,11 +70,10 @@ namespace no_budget {
 
 template <class Single, class InBlocks>
 void walk(const RayJob& job) {
-    switch (job.view.in_force) {
-        case CpuMode::scalar: return run_on<Single, NullObserver>(job);
-        case CpuMode::wide: return run_batches<InBlocks, NullObserver, block_size>(job);
-        case CpuMode::packet: return run_batches<InBlocks, NullObserver, 16>(job);
-    }
+    if (job.view.in_force == CpuMode::scalar)
+        run_on<Single, NullObserver>(job);
+    else
+        run_batches<InBlocks, NullObserver, block_size>(job);
 }
 
 template <template <class, Rules, class, class> class Kernel, class Single>

@@ -8,11 +8,11 @@ namespace kd {
 enum class Twin {
     whole,      // as the program compiles it, with an observer that does nothing
     no_hooks,   // no observer is ever told
-    no_budget,  // nor are steps counted, which packets never do
+    no_budget,  // nor are steps counted
 };
 
 /// Nearest hits by the stack under robust rules over nodes of 16 bytes, uncounted, on this thread, with the widest
-/// instruction set, in the mode that the job's view has in force, as CpuTracer does it.
+/// instruction set, in the mode that the job's view has in force, scalar or wide, as CpuTracer does it.
 void trace_twin(Twin twin, const RayJob& job);
 
 }  // namespace kd
