@@ -188,10 +188,10 @@ CommandBody declare(CLI::App& app) {
 Command trace_command() {
     return {
         "trace", "Traces your own rays with every traversal and tracer",
-        "Machine and settings as comments (#), and one row per ray, traversal and tracer: ray (from 0), algorithm, "
-        "tracer, hit, triangle, t, u, v, counters,\n"
+        "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
         "exit_reason (miss, hit, step cap, stack overflow, invalid ray). Where nothing was hit, triangle is\n"
-        "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
+        "-1 and t is the ray's tmax. Numbers may be hexadecimal floats. Lines with # in front say on what machine and\n"
+        "with what settings they were made.\n\n"
         "Every answer is compared with a loop over all triangles in double precision. Wrong ones are told on standard\n"
         "error with the ray in exact hexadecimal floats, and the exit code is 1.\n\n"
         "Examples:\n"
