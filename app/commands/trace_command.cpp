@@ -13,6 +13,7 @@
 #include "app/cli/progress_line.h"
 #include "app/commands/commands.h"
 #include "app/frame/open_or_note.h"
+#include "app/report/machine_info.h"
 #include "app/report/trace_check.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/io/file.h"
@@ -20,6 +21,7 @@
 #include "renderer/measure/ray_machine.h"
 #include "renderer/scene/units.h"
 #include "renderer/trace/counters.h"
+#include "viz/csv.h"
 
 namespace kd {
 
@@ -29,8 +31,9 @@ struct TraceOptions : CommonOptions {
     std::string rays, output, failures;
 };
 
-std::string header() {
-    std::string line = "ray,algorithm,tracer,hit,triangle,t,u,v";
+/// What was traced on, as comments, and the names of the columns.
+std::string header(const MeasuredOn& on) {
+    std::string line = csv_comments(on.lines()) + "ray,algorithm,tracer,hit,triangle,t,u,v";
     for (const CounterInfo& counter : counter_table()) line += fmt::format(",{}", counter.name);
     return line + ",exit_reason\n";
 }
@@ -89,12 +92,12 @@ void trace_in_steps(RayMachine& tracer, const TraceConfig& config, std::span<con
     }
 }
 
-/// The table of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told,
+/// The rows of all tracers and traversals, each compared by `check`. What a tracer refuses is left out and told,
 /// unless it was asked for by name.
 std::string trace_all(const TraceOptions& options, const OpenTracers& tracers, TraceConfig config,
                       const FlatScene& scene, const std::vector<Ray>& asked, TraceCheck& check, ProgressLine& progress,
                       CommandContext& context) {
-    std::string table = header();
+    std::string table;
     const std::span<const Ray> rays = check.rays();
     std::vector<Hit> hits(rays.size());
     std::vector<RayCounters> counters(rays.size());
@@ -151,12 +154,12 @@ int run(const CLI::App& app, const TraceOptions& options, CommandContext& contex
         return std::pair(std::move(rows), std::move(made));
     }();
     check_stop(context);
+    const std::string head = header(measured_on(in_scene_units(session, scene), {"tracer", "traversal"}));
     if (to_file) {
-        write_file(options.output, table);
-        context.out << fmt::format("wrote {} ({})\n", options.output,
-                                   counted(std::ranges::count(table, '\n') - 1, "row"));
+        write_file(options.output, head + table);
+        context.out << fmt::format("wrote {} ({})\n", options.output, counted(std::ranges::count(table, '\n'), "row"));
     } else
-        context.out << table;
+        context.out << head << table;
     return report(options, check, context);
 }
 
@@ -187,7 +190,8 @@ Command trace_command() {
         "trace", "Traces your own rays with every traversal and tracer",
         "One row per ray, traversal and tracer: ray (from 0), algorithm, tracer, hit, triangle, t, u, v, counters,\n"
         "exit_reason (miss, hit, step cap, stack overflow, invalid ray). Where nothing was hit, triangle is\n"
-        "-1 and t is the ray's tmax. Numbers may be hexadecimal floats.\n\n"
+        "-1 and t is the ray's tmax. Numbers may be hexadecimal floats. Lines with # in front say on what machine and\n"
+        "with what settings they were made.\n\n"
         "Every answer is compared with a loop over all triangles in double precision. Wrong ones are told on standard\n"
         "error with the ray in exact hexadecimal floats, and the exit code is 1.\n\n"
         "Examples:\n"

@@ -98,6 +98,16 @@ void print_table(std::ostream& out, const PeersScene& peers, RayType type) {
     table.print(out, terminal_width());
 }
 
+/// One line, with the constants that times hang on.
+std::string tree_text(const std::string& name, const PeersTree& tree) {
+    const BuildConfig& build = tree.build;
+    return fmt::format(
+        "tree {}: {}, t_t {}, t_i {}, empty bonus {} from {} on, empty cut {}, leaf {}, blocks of {}, bad refines {}, "
+        "nodes of {} bytes, {:.1f} ms\n",
+        name, build.builder, build.traversal_cost, build.intersection_cost, build.empty_bonus, build.empty_bonus_gate,
+        build.empty_cut, build.leaf_size, build.leaf_block, build.bad_refines, bytes_of(tree.nodes), tree.build_ms);
+}
+
 }  // namespace
 
 std::vector<SpeedOfPeer> speeds_of_peers(const RayBench& bench, const RayBenchRow& row) {
@@ -121,10 +131,7 @@ void print(std::ostream& out, const PeersScene& peers, int warmup) {
     const Session& s = peers.session;
     out << fmt::format("{}: {}, {}, {}, {}\n", s.scene, counted(peers.scene.triangles.size(), "triangle"), peers.on.cpu,
                        cpu_target_name(), peers.peers);
-    for (const auto& [name, tree] : peers.trees)
-        out << fmt::format("tree {}: {}, t_i {}, leaf {}, blocks of {}, empty cut {}, nodes of {} bytes, {:.1f} ms\n",
-                           name, tree.build.builder, tree.build.intersection_cost, tree.build.leaf_size,
-                           tree.build.leaf_block, tree.build.empty_cut, bytes_of(tree.nodes), tree.build_ms);
+    for (const auto& [name, tree] : peers.trees) out << tree_text(name, tree);
     std::size_t rounds = 0;
     for (std::size_t type = 0; type < ray_type_names.size(); ++type) {
         const auto row = std::ranges::find(peers.result.rows, RayType(type), &RayBenchRow::type);

@@ -26,8 +26,6 @@ class Kernel {
     void observe(Observer& next) { observer = &next; }
     /// Where the walks that follow begin: the root, or a node that holds all that their rays can meet.
     void begin_at(int node) { first_node = node; }
-    /// Pending cells of the ray that the walks that follow do not know of: what is told of depths counts them.
-    void begin_above(int cells) { pending_before = cells; }
 
     KD_FN const LeafBlock* block_at(int place) const { return blocks + place; }
     KD_FN KdNode fetch_node(int node) const { return node_as_read(nodes[node]); }
@@ -46,7 +44,7 @@ class Kernel {
     KD_FN void on_interior(int node, bool again) { observer->on_interior(node, again); }
     KD_FN void on_leaf(int node) { observer->on_leaf(node); }
     KD_FN void on_triangle(int slot) { observer->on_triangle(slot); }
-    KD_FN void on_push(int depth) { observer->on_push(pending_before + depth); }
+    KD_FN void on_push(int depth) { observer->on_push(depth); }
     KD_FN void on_restart() { observer->on_restart(); }
     KD_FN void on_backtrack() { observer->on_backtrack(); }
     KD_FN void on_exit(int reason) { observer->on_exit(reason); }
@@ -65,7 +63,6 @@ class Kernel {
     Sampling sampling;
     bool masked;  // some triangles have holes
     int first_node = 0;
-    int pending_before = 0;
     Observer* observer;
 
     // Tree.

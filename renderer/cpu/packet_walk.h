@@ -59,7 +59,6 @@ class PacketWalk {
     int depth_[N];  // pending cells of each lane, where counted
     Pending stack_[max_tree_depth];
 
-    static constexpr int most_alone = 1;  // rays left in a packet that go on one by one
     static constexpr bool counting = requires(Observer o) { o.counters; };
 
     /// Calls `tell` with every lane of the mask, where there is somebody to tell.
@@ -184,8 +183,8 @@ class PacketWalk {
         if (hit.triangle == triangle) keep(lane, hit);
     }
 
-    /// To the next pending cell that some lane still has to visit; false where there is none. Where few have, each goes
-    /// its own way.
+    /// To the next pending cell that some lane still has to visit; false where there is none. However few have: parting
+    /// from a single one was no faster (docs/performance.md).
     KD_FN bool pop(int& node, L& begin, L& end) {
         while (pending_ > 0) {
             const Pending& next = stack_[--pending_];
@@ -196,31 +195,11 @@ class PacketWalk {
                 for (unsigned left = next.pushed; left != 0; left &= left - 1) --depth_[std::countr_zero(left)];
             const Mask walking = waiting - (L::load(horizon_) < begin);
             if (walking.none()) continue;
-            if (const unsigned lanes = walking.bits(); std::popcount(lanes) <= most_alone) {
-                walk_singly(lanes, next);
-                continue;
-            }
             node = next.node;
             end = choose(walking, end, L::all(-KD_T_LIMIT));
             return true;
         }
         return false;
-    }
-
-    [[gnu::noinline]] void walk_singly(unsigned lanes, const Pending& from) {
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const int lane = std::countr_zero(lanes);
-            typename Kernel::RaySetup s;
-            batch_.extract(lane, s);
-            Hit hit = hit_of(lane);
-            kernel_.observe(observers_[lane]);
-            kernel_.begin_above(depth_[lane]);
-            kernel_.walk_subtree(s, from.node, from.begin[lane], from.end[lane], any_hit_, hit);
-            // A part of a walk is no ray; answer() counts it.
-            if constexpr (counting) --observers_[lane].counters.rays;
-            keep(lane, hit);
-        }
-        kernel_.begin_above(0);
     }
 
     KD_FN void answer(unsigned together) {

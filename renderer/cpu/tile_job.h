@@ -9,7 +9,9 @@
 
 namespace kd {
 
-/// Steps and triangle tests after which a walk is ended and flagged: far above any honest walk.
+/// Steps and triangle tests after which a single walk is ended and flagged: far above any honest walk. Packets count
+/// none: a node's children stand behind it (renderer/kdtree/validate.h), so that no walk down comes back to a node, and
+/// each cell that waits is taken once. They end on any tree whose links do that.
 inline constexpr int cpu_step_budget = 1 << 30;
 
 struct TileJob {

@@ -120,6 +120,7 @@ void GlTracer::upload(const FlatScene& scene, const KdTree& tree) {
     // The old upload goes when the new one is whole.
     SceneUpload next(impl_->gl, impl_->limits, scene, tree);
     impl_->uploaded.emplace(std::move(next));
+    impl_->hits_fill = {};
 }
 
 void GlTracer::prepare(const GlTraceConfig& config, int width, int height) {

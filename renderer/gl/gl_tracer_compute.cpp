@@ -38,7 +38,8 @@ class ComputedPasses : public FramePasses {
         settings_.listed = t_.lists_pixels && pass != Pass::rt_prim;
         if (makes_list(pass)) {
             (void)list_program(pass);
-            if (may_shade_all(pass)) (void)program(step_of(pass), false);
+            if (pass == Pass::shade_prim) (void)program(step_of(pass), false);
+            if (pass == Pass::rt_refl) (void)program(Step::list_reflections, false);
         }
         if (t_.mode == GlMode::wavefront)
             (void)t_.wavefront_programs(step_of(pass), settings_);
@@ -58,11 +59,7 @@ class ComputedPasses : public FramePasses {
 
     void run(Pass pass) override {
         if (t_.mode == GlMode::wavefront) return t_.run_wavefront(step_of(pass), settings_, tile_);
-        if (makes_list(pass)) {
-            list_pixels(pass);
-            if (may_shade_all(pass) && t_.pixels.filled(gl_, settings_.compute.y) > full_enough)
-                settings_.listed = false;
-        }
+        settings_.listed = makes_list(pass) ? keeps_list(pass) : settings_.listed;
         gl_.UseProgram(t_.program(step_of(pass), settings_));
         run_over(settings_.listed);
     }
@@ -80,13 +77,18 @@ class ComputedPasses : public FramePasses {
         return settings_.listed && (pass == Pass::shade_prim || !shades(pass));
     }
 
-    /// Where few lanes would idle a pass over all pixels is faster than one over a list, for each thread finds in its
-    /// cache what it has stored the pass before (docs/performance.md). Reflections are too few for that.
-    [[nodiscard]] static bool may_shade_all(Pass pass) { return pass == Pass::shade_prim; }
-    static constexpr double full_enough = 0.9;
+    /// Whether the pass works at a list, which is made where that has to be known. Reflections are too few to fill one.
+    [[nodiscard]] bool keeps_list(Pass pass) {
+        if (pass == Pass::shade_prim && !t_.hits_fill.asks_for_list(tile_, rows())) return false;
+        list_pixels(pass);
+        if (pass != Pass::shade_prim) return true;
+        return t_.hits_fill.keeps_list(tile_, rows(), t_.pixels.filled(gl_, settings_.compute.y));
+    }
+
+    [[nodiscard]] int rows() const { return t_.targets.key().height; }
 
     /// Only what was hit can reflect, and only what has reflected can reflect again.
-    [[nodiscard]] static bool lists_out_of_list(Pass pass) { return pass == Pass::rt_refl; }
+    [[nodiscard]] bool lists_out_of_list(Pass pass) const { return pass == Pass::rt_refl && has_list_; }
 
     [[nodiscard]] GLuint list_program(Pass pass) const {
         return program(pass == Pass::rt_refl ? Step::list_reflections : Step::list_hits, lists_out_of_list(pass));
@@ -104,7 +106,10 @@ class ComputedPasses : public FramePasses {
         gl_.UseProgram(list_program(pass));
         run_over(lists_out_of_list(pass));
         t_.pixels.take_next(gl_);
+        has_list_ = true;
     }
+
+    bool has_list_ = false;  // of the pass before, or of one before that
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "renderer/gl/compute_settings.h"
 #include "renderer/gl/frame_targets.h"
+#include "renderer/gl/list_fill.h"
 #include "renderer/gl/pass_programs.h"
 #include "renderer/gl/pass_timer.h"
 #include "renderer/gl/pixel_list.h"
@@ -41,6 +42,7 @@ struct GlTracer::Impl {
     FrameTargets targets;
     RayQueues queues;  // of GlMode::wavefront
     PixelList pixels;  // of GlMode::compute
+    ListFill hits_fill;
     bool lists_pixels = false;
     std::function<void(int)> told_compiling;
     int compiling = 0;

@@ -50,10 +50,9 @@ void PixelList::take_next(const GlApi& gl) {
     bind(gl);
 }
 
-double PixelList::filled(const GlApi& gl, int run_length) const {
+double PixelList::filled(const GlApi& gl, int run_length) {
     Header header;
-    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers_[current_].id());
-    gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof header, &header);
+    header_.read(gl, buffers_[current_], std::as_writable_bytes(std::span(&header, 1)));
     return header.runs == 0 ? 1.0 : double(header.listed) / (double(header.runs) * run_length);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "renderer/gl/copied_read.h"
 #include "renderer/gl/object.h"
 
 namespace kd {
@@ -22,7 +23,7 @@ class PixelList {
 
     /// How full of pixels the runs of `run_length` neighbours are of which any is listed: near 1 where a pass over
     /// all pixels would leave hardly a lane idle. Waits for the list.
-    [[nodiscard]] double filled(const GlApi& gl, int run_length) const;
+    [[nodiscard]] double filled(const GlApi& gl, int run_length);
 
     /// Runs the program in use once per listed pixel.
     void dispatch(const GlApi& gl) const;
@@ -32,6 +33,7 @@ class PixelList {
 
   private:
     std::array<GlBuffer, 2> buffers_;
+    CopiedRead header_;
     std::size_t current_ = 0;
     std::int64_t bytes_ = 0;  // of one
 

@@ -58,9 +58,8 @@ int RayQueues::reserve(const GlApi& gl, std::int64_t rays, int words, std::int64
     rays_ = slots;
     states_ = make_buffer(gl, word * words_);
     counts_ = make_buffer(gl, 2 * sizeof(QueueCounts));
-    seen_counts_ = make_buffer(gl, 2 * sizeof(QueueCounts));
     queues_ = make_buffer(gl, 2 * word * slots);
-    bytes_ = word * words_ + 4 * std::int64_t(sizeof(QueueCounts)) + 2 * word * slots;
+    bytes_ = word * words_ + 2 * std::int64_t(sizeof(QueueCounts)) + 2 * word * slots;
     return slots;
 }
 
@@ -72,7 +71,7 @@ void RayQueues::begin(const GlApi& gl) const {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, ray_queues, queues_.id());
 }
 
-void RayQueues::run(const GlApi& gl, const std::array<GLuint, 2>& plan, const std::array<GLuint, 2>& walk) const {
+void RayQueues::run(const GlApi& gl, const std::array<GLuint, 2>& plan, const std::array<GLuint, 2>& walk) {
     gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counts_.id());
     std::array<QueueCounts, 2> counts{};
     do {
@@ -86,11 +85,7 @@ void RayQueues::run(const GlApi& gl, const std::array<GLuint, 2>& plan, const st
                 gl.DispatchComputeIndirect(GLintptr(queue * sizeof(QueueCounts)));
             }
         gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-        // By a copy: NVIDIA's driver (580) answers for a buffer it was given by BufferSubData what it was given then.
-        gl.BindBuffer(GL_COPY_READ_BUFFER, counts_.id());
-        gl.BindBuffer(GL_COPY_WRITE_BUFFER, seen_counts_.id());
-        gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, sizeof counts);
-        gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof counts, counts.data());
+        seen_counts_.read(gl, counts_, std::as_writable_bytes(std::span(counts)));
     } while (counts[0].pushed > 0 || counts[1].pushed > 0);
     gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
 }

@@ -2,8 +2,7 @@
 // of Purcell, Buck, Mark and Hanrahan, Ray Tracing on Programmable Graphics Hardware, SIGGRAPH 2002.
 #pragma once
 
-#include <functional>
-
+#include "renderer/gl/copied_read.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass_programs.h"
 
@@ -34,12 +33,13 @@ class RayQueues {
     void begin(const GlApi& gl) const;
 
     /// Kernels in turn until no ray is on its way. `plan[i]` is the program that plans queue i, `walk[i]` works at it.
-    void run(const GlApi& gl, const std::array<GLuint, 2>& plan, const std::array<GLuint, 2>& walk) const;
+    void run(const GlApi& gl, const std::array<GLuint, 2>& plan, const std::array<GLuint, 2>& walk);
 
     [[nodiscard]] std::int64_t bytes() const { return bytes_; }
 
   private:
-    GlBuffer states_, counts_, seen_counts_, queues_;
+    GlBuffer states_, counts_, queues_;
+    CopiedRead seen_counts_;
     std::int64_t bytes_ = 0;
     std::int64_t words_ = 0;  // of all states
     int rays_ = 0;

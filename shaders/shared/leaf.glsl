@@ -1,11 +1,16 @@
 // Leaves, and how a walk begins.
 
+/// Whether a walk's steps are used up. A host that defines it otherwise, as false, counts none.
+#ifndef KD_OUT_OF_STEPS
+#define KD_OUT_OF_STEPS(budget) ((budget) <= 0)
+#endif
+
 /// Counts a visit of the leaf that a descent has ended in. False, with the exit reason told, where the steps were used up, in
 /// the leaf or on the way to it.
 KD_FN bool enter_leaf(int node, IN(KdNode) leaf, INOUT(int) budget)
 {
     budget -= leaf.flag == KD_LEAF ? 1 + leaf.count : 0;
-    if (KD_RARE(budget <= 0)) {
+    if (KD_RARE(KD_OUT_OF_STEPS(budget))) {
         on_exit(KD_EXIT_STEP_CAP);
         return false;
     }

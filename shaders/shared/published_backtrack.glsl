@@ -27,7 +27,7 @@ KD_FN void published_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         on_backtrack();
         bool found = false;
         int parent = n.parent;
-        while (parent >= 0 && !found && budget > 0) {
+        while (parent >= 0 && !found && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             node = parent;
             real3 lower;

@@ -104,7 +104,7 @@ KD_FN KdNode descend_as_published(IN(RaySetup) s, IN(real3) inverse, real t_begi
 {
     bool again = last_leaf >= 0;
     KdNode n = fetch_node(node);
-    while (n.flag != KD_LEAF && budget > 0) {
+    while (n.flag != KD_LEAF && !KD_OUT_OF_STEPS(budget)) {
         --budget;
         on_interior(node, again);
         bool below_first;

@@ -15,7 +15,7 @@ KD_FN void published_stack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
 
     while (true) {
         KdNode n = fetch_node(node);
-        while (n.flag != KD_LEAF && budget > 0) {
+        while (n.flag != KD_LEAF && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             on_interior(node, false);
             bool below_first;

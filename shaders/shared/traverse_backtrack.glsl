@@ -18,7 +18,7 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         KdNode n = fetch_node(node);
 
         // Descend to a leaf.
-        while (n.flag != KD_LEAF && budget > 0) {
+        while (n.flag != KD_LEAF && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             on_interior(node, false);
             bool below_first;
@@ -38,7 +38,7 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
         // Climb until a far child's box still meets the ray before the nearest hit.
         on_backtrack();
         bool found = false;
-        while (node != top && !found && budget > 0) {
+        while (node != top && !found && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             int child = node;
             node = n.parent;
@@ -59,7 +59,7 @@ KD_FN void traverse_backtrack(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
             }
         }
         if (!found) {
-            if (KD_RARE(budget <= 0)) {
+            if (KD_RARE(KD_OUT_OF_STEPS(budget))) {
                 on_exit(KD_EXIT_STEP_CAP);
                 return;
             }

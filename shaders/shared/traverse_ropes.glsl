@@ -119,7 +119,7 @@ KD_FN void traverse_ropes(IN(RaySetup) s, bool any_hit, INOUT(Hit) hit)
     bool done = false;
     while (!done) {
         KdNode n = fetch_node(walk.node);
-        while (n.flag != KD_LEAF && walk.certain && budget > 0) {
+        while (n.flag != KD_LEAF && walk.certain && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             on_interior(walk.node, false);
             bool below = below_at(s, n.flag, n.split, walk);

@@ -13,7 +13,7 @@ KD_FN void walk_subtree(IN(RaySetup) s, int node, real t_begin, real t_end, bool
         KdNode n = fetch_node(node);
 
         // Descend to a leaf, leaving far children on the stack.
-        while (n.flag != KD_LEAF && budget > 0) {
+        while (n.flag != KD_LEAF && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             on_interior(node, false);
             bool below_first;

@@ -81,7 +81,7 @@ KD_FN void walk_from_top(IN(RaySetup) s, bool any_hit, int entry, bool push_down
         KdNode n = fetch_node(node);
 
         // Follow the trail, then descend near-first.
-        while (n.flag != KD_LEAF && !dead_end && budget > 0) {
+        while (n.flag != KD_LEAF && !dead_end && !KD_OUT_OF_STEPS(budget)) {
             --budget;
             on_interior(node, level <= turned_at);
             bool below_first;

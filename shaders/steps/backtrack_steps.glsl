@@ -49,7 +49,7 @@ void step_up(IN(RaySetup) s, IN(Hit) hit)
             return;
         }
     }
-    if (walk_budget <= 0) {
+    if (KD_OUT_OF_STEPS(walk_budget)) {
         end_walk(KD_EXIT_STEP_CAP);
     } else if (walk_at == walk_first) {
         complete_walk(hit);

@@ -49,7 +49,7 @@ void arrive()
 {
     walk_left = -1;
     walk_budget -= walk_node.flag == KD_LEAF ? 1 + walk_node.count : 0;
-    if (walk_budget <= 0) end_walk(KD_EXIT_STEP_CAP);
+    if (KD_OUT_OF_STEPS(walk_budget)) end_walk(KD_EXIT_STEP_CAP);
 }
 
 /// Enters the tree where walks begin; false, with the exit told, where the ray misses that.

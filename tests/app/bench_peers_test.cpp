@@ -178,8 +178,23 @@ TEST(BenchPeers, PrintsATableForEveryTypeOfRays) {
     const auto outcome =
         run_kdscope({"bench", "ball:300", "--peers", "--size", "64x64", "--rounds", "6", "--warmup", "0"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("cpu-packet 16"), std::string::npos);
-    EXPECT_NE(outcome.out.find("random rays: "), std::string::npos);
+    EXPECT_NE(outcome.out.find("tree asked: paper, t_t 1, t_i 1.5, empty bonus 0.2 from 0.1 on, empty cut 0, leaf 2, "
+                               "blocks of 1, bad refines 0, nodes of 16 bytes, "),
+              std::string::npos)
+        << outcome.out;
+    std::map<std::string, std::map<std::string, int>> rows;  // by type of rays and contestant
+    std::istringstream lines(outcome.out);
+    std::string type;
+    for (std::string line; std::getline(lines, line);) {
+        if (const std::size_t at = line.find(" rays: "); at != std::string::npos) type = line.substr(0, at);
+        const std::string contestant = line.substr(0, line.find("  "));
+        if (contestant.starts_with("embree-") || contestant.starts_with("cpu")) ++rows[type][contestant];
+    }
+    const std::map<std::string, int> each{
+        {"embree-1", 1}, {"embree-1-robust", 1}, {"embree-16", 1},    {"embree-16-robust", 1}, {"cpu", 1},
+        {"cpu-wide", 2}, {"cpu-packet 4", 2},    {"cpu-packet 8", 2}, {"cpu-packet 16", 2}};
+    EXPECT_EQ(rows, (std::map<std::string, std::map<std::string, int>>{
+                        {"primary", each}, {"shadow", each}, {"random", each}}));
 }
 
 /// A row of rays that took `ms`, and a percent more in every other round.

@@ -1,6 +1,9 @@
 // kdscope's builders against Embree's builds of the same triangles, in turn, in one run.
 //
 // usage: build_bench [SCENE] [ROUNDS] [THREADS]      default ball:100000, 15 rounds, 2 threads
+//
+// Exit code 1 where a ratio's whole 95 % interval lies above what is asked. Where it holds what is asked the rounds do
+// not tell, and that is said.
 
 #include <embree3/rtcore.h>
 
@@ -9,10 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "renderer/cpu/cpu_tracer.h"
 #include "renderer/cpu/suited_tree.h"
 #include "renderer/kdtree/build.h"
 #include "renderer/measure/timing.h"
 #include "renderer/measure/timing_ratio.h"
+#include "renderer/peers/peers.h"
 #include "tests/bench/bench_scene.h"
 
 namespace {
@@ -89,8 +94,8 @@ int run(const std::string& name, int rounds, int threads) {
     compete_tree("exact, cpu-wide's", suited_tree(CpuMode::wide, {}), trees.back());
     const std::vector<TimedRounds> times = time_in_turn(contestants, {.warmup = 2, .rounds = rounds});
 
-    std::printf("%s, %zu triangles, %d threads, %d rounds in turn\n", name.c_str(), scene.triangles.size(), threads,
-                rounds);
+    std::printf("%s, %zu triangles, %d threads, %d rounds in turn; %s, on a processor with %s\n", name.c_str(),
+                scene.triangles.size(), threads, rounds, peers_version().c_str(), cpu_target_name().c_str());
     std::printf("%-24s %9s %19s %9s %9s %10s %11s\n", "build", "ms", "[p25 - p75]", "x high", "x medium", "nodes",
                 "references");
     const auto median = [&](std::size_t i) { return times[i].total().median_ms; };
@@ -107,8 +112,8 @@ int run(const std::string& name, int rounds, int threads) {
         const auto found = std::ranges::find(contestants, std::string("kdscope ") + builder, &Contestant::name);
         const std::vector<double> ours = times[std::size_t(found - contestants.begin())].ms();
         const MedianInterval ratio = ratio_interval(ours, times[rival].ms());
-        const char* verdict = ratio.high <= most ? "holds" : ratio.low > most ? "FAILS" : "open: more rounds";
-        holds &= ratio.median <= most;
+        const char* verdict = ratio.high <= most ? "holds" : ratio.low > most ? "FAILS" : "open, more rounds tell";
+        holds &= ratio.low <= most;
         std::printf("kdscope %s takes %s times as long as %s; at most %g is asked: %s\n", builder,
                     interval_text(ratio).c_str(), contestants[rival].name.c_str(), most, verdict);
     }

@@ -33,20 +33,20 @@ namespace whole {
 #define on_restart(...) void()
 #define on_backtrack(...) void()
 #define on_exit(...) void()
-
 #define on_interior(...) void()
 namespace no_hooks {
 #include "renderer/cpu/kernel.h"
 }  // namespace no_hooks
-#undef on_interior
 
-// Told right after each step that some are left, the compiler sees that the budget never ends, and drops it.
-#define on_interior(...) (budget > 0 ? void() : __builtin_unreachable())
+// Where nobody asks for what is left, the compiler drops the counting as well.
+#undef KD_OUT_OF_STEPS
+#define KD_OUT_OF_STEPS(budget) false
 namespace no_budget {
 #include "renderer/cpu/kernel.h"
 }  // namespace no_budget
-#undef on_interior
+#undef KD_OUT_OF_STEPS
 
+#undef on_interior
 #undef on_exit
 #undef on_backtrack
 #undef on_restart
@@ -70,11 +70,10 @@ namespace no_budget {
 
 template <class Single, class InBlocks>
 void walk(const RayJob& job) {
-    switch (job.view.in_force) {
-        case CpuMode::scalar: return run_on<Single, NullObserver>(job);
-        case CpuMode::wide: return run_batches<InBlocks, NullObserver, block_size>(job);
-        case CpuMode::packet: return run_batches<InBlocks, NullObserver, 16>(job);
-    }
+    if (job.view.in_force == CpuMode::scalar)
+        run_on<Single, NullObserver>(job);
+    else
+        run_batches<InBlocks, NullObserver, block_size>(job);
 }
 
 template <template <class, Rules, class, class> class Kernel, class Single>

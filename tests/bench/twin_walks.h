@@ -12,7 +12,7 @@ enum class Twin {
 };
 
 /// Nearest hits by the stack under robust rules over nodes of 16 bytes, uncounted, on this thread, with the widest
-/// instruction set, in the mode that the job's view has in force, as CpuTracer does it.
+/// instruction set, in the mode that the job's view has in force, scalar or wide, as CpuTracer does it.
 void trace_twin(Twin twin, const RayJob& job);
 
 }  // namespace kd
