@@ -10,7 +10,7 @@ peak_of() { awk '/^VmHWM/ { printf "%.0f", $2 / 1024 }' "$1"; }
 now() { date +%s.%N; }
 
 begin=$(now)
-"$KDSCOPE" render ball:1000000 --size 1024x1024 --map nodes -o map.png --json >render.json 2>log.txt &
+"$KDSCOPE" render ball:1000000 --size 1024x1024 --map nodes -o map.png >log.txt 2>&1 &
 render_pid=$!
 peak=0
 while kill -0 $render_pid 2>/dev/null; do
@@ -20,10 +20,10 @@ done
 wait $render_pid || fail "render"
 echo "render: $(awk "BEGIN { printf \"%.1f\", $(now) - $begin }") s, $peak MB at most"
 ((peak < 2048)) || fail "$peak MB for a million triangles"
-[[ $(identify -format '%wx%h' map.png) == 1024x* ]] || fail "the map's size"
+[[ $(identify -format '%w' map.png) -ge 1024 ]] || fail "the map's size"
 
 begin=$(now)
-start_window ball:1000000 --map nodes
+start_window ball:1000000
 echo "window: first picture after $(awk "BEGIN { printf \"%.1f\", $(now) - $begin }") s"
 [[ $(value tree.nodes) -gt 500000 ]] || fail "$(value tree.nodes) nodes"
 press b
@@ -32,7 +32,7 @@ longest=0 answers=0
 while [[ $(value building) == true ]]; do
     before=$(now)
     move_to $((700 + answers % 50 * 4)) 500
-    longest=$(awk "BEGIN { t = $(now) - $before; print t > $longest ? t : $longest }")
+    longest=$(awk "BEGIN { t = $(now) - $before; print (t > $longest ? t : $longest) }")
     answers=$((answers + 1))
 done
 wait_for '^frame.scale=1$' 120
