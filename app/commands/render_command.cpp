@@ -78,12 +78,16 @@ bool any_traced(const Frame& frame, Pass rays) {
     return false;
 }
 
-std::string samples_text(const SampleCount& count) {
-    std::string text = fmt::format("samples   {} per pixel", count.samples);
+/// `wanted`: the standard error at which a tile stops, 0 where none does.
+std::string samples_text(const SampleCount& count, float wanted) {
+    const std::string number = count.converged_tiles > 0
+                                   ? fmt::format("{} at most, {:.1f} on average", count.samples, count.average)
+                                   : fmt::format("{}", count.samples);
+    std::string text = fmt::format("samples   {} per pixel", number);
     if (count.samples > 1) text += fmt::format(", standard error {:.2g}", count.error);
-    if (count.converged_tiles > 0)
-        text += fmt::format("; {} of {} tiles converged, {:.1f} samples per pixel on average", count.converged_tiles,
-                            count.tiles, count.average);
+    if (wanted > 0) text += fmt::format("; {} of {} tiles converged to {}", count.converged_tiles, count.tiles, wanted);
+    if (wanted > 0 && count.samples < Accumulator::fewest_samples)
+        text += fmt::format(", which takes {} samples", Accumulator::fewest_samples);
     return text + "\n";
 }
 
@@ -102,7 +106,7 @@ void print(std::ostream& out, const Rendering& r, bool listed) {
         if (r.time.pass_ms[pass] >= 0)
             out << fmt::format("  {:<9} {:.1f} ms{}\n", pass_names[pass], r.time.pass_ms[pass],
                                shaded_text(r.time.shaded_pixels[pass]));
-    if (r.samples) out << samples_text(*r.samples);
+    if (r.samples) out << samples_text(*r.samples, s.sample_error);
     const Pass rays = s.view.map.rays;
     if (s.view.show_map && !any_traced(r.frame, rays))
         out << fmt::format("note      no {} ray was traced: the map has no values\n", ray_names[std::size_t(rays)]);

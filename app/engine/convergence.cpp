@@ -186,8 +186,11 @@ void Engine::start_sample() {
     if (now() - last_input_ < quiet_before_sample_s) return;
     const glm::dvec2 offset = convergence_.begin_or_go_on(configuration_shown());
     duelling_ = true;
+    TraceRequest request = trace_request();
+    // Each frame draws its own sample of light too, so that the mean converges to that of all of them.
+    if (request.config.sampling.sample >= 0) request.config.sampling.sample = state_.convergence.samples;
     tracer_.submit(
-        [this, request = trace_request(), offset, generation = trace_generation_](const std::stop_token& stop) {
+        [this, request = std::move(request), offset, generation = trace_generation_](const std::stop_token& stop) {
             std::optional<SampleReply> reply;
             std::string error;
             try {

@@ -30,7 +30,10 @@ bool Engine::moves() const {
 void Engine::play(const MotionWish& wish) {
     const MotionWish before = std::exchange(motion_wish_, wish);
     if (wish.schedule != before.schedule || wish.refit != before.refit) state_.motion.recent = {};
-    if (wish.refit != before.refit) drop_pose();
+    if (wish.refit != before.refit) {
+        drop_pose();
+        state_.motion.stats = {};  // the schedules are compared by one way of making trees
+    }
     if (wish.playing && !before.playing) begin_playing();
     if (!wish.playing && before.playing) end_playing();
 }

@@ -43,17 +43,19 @@ void Posing::make(Posed& posed, const std::stop_token& stop) {
     auto world = std::make_shared<World>();
     world->steps[FrameStep::update].begin = steady_seconds();
     loaded->flat = loaded->moving->at(task.time);
-    world->steps[FrameStep::update].end = world->steps[FrameStep::build].begin = steady_seconds();
+    world->steps[FrameStep::update].end = steady_seconds();
+    // The tree that refitting keeps the planes of is made once, for no frame in particular.
     if (!makers_.serve(task)) makers_ = Makers(task);
+    world->steps[FrameStep::build].begin = steady_seconds();
     const int refused = makers_.maker->refused();
     world->tree = makers_.maker->make(loaded->flat.triangles, stop, &world->report);
+    world->steps[FrameStep::build].end = steady_seconds();
     if (stop.stop_requested()) return;
     world->refitted = task.refit && makers_.maker->refused() == refused;
     world->built_with = task.build;
     world->stats = tree_stats(world->tree, loaded->flat.triangles.size(), task.build);
     world->facts = scene_facts(loaded->flat, world->tree);
     world->loaded = std::move(loaded);
-    world->steps[FrameStep::build].end = steady_seconds();
 
     posed.made = ++makers_.made;
     posed.refused = makers_.maker->refused();

@@ -116,11 +116,13 @@ FigureFacts facts_of(const Rendering& r) {
             .height = r.session.height,
             .milliseconds = r.time.total_ms,
             .clock = r.clock,
-            .samples = r.samples ? r.samples->samples : 0};
+            .samples = r.samples ? r.samples->samples : 0,
+            .average_samples = r.samples ? r.samples->average : 0};
 }
 
 void write_picture(const std::string& path, const Rendering& r, const ViewConfig& view, bool legend, const Font& font) {
-    const std::string title = title_of(scene_text(r.session.scene, r.scene.time, r.scene.duration), view);
+    const std::string title =
+        title_of(scene_text(r.session.scene, r.scene.time, r.scene.duration), view, r.samples ? r.samples->samples : 0);
     const std::string caption = caption_of(facts_of(r));
     const bool bare = !legend || (!view.show_map && !view.overlay.show);
     const Image<Rgba8> image =

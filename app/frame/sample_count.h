@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "renderer/trace/accumulator.h"
 
@@ -17,7 +18,8 @@ struct SamplePlan {
 struct SampleCount {
     int samples = 0;     // of the pixel that has most
     double average = 0;  // over all pixels
-    double error = 0;    // standard error, root mean square over the picture; infinite below two samples
+    /// Standard error, root mean square over the picture; infinite below two samples.
+    double error = std::numeric_limits<double>::infinity();
     std::size_t tiles = 0, converged_tiles = 0;
 };
 

@@ -85,11 +85,12 @@ std::string words_of(CellColour colour, Pass rays) {
 
 }  // namespace
 
-std::string title_of(const std::string& scene, const ViewConfig& view) {
+std::string title_of(const std::string& scene, const ViewConfig& view, int samples) {
     std::string title = scene;
     if (view.show_map) {
         const MapInfo* map = find_map(view.map.map);
         title = fmt::format("{}, {} rays", map ? map->title : view.map.map, ray_names[std::size_t(view.map.rays)]);
+        if (samples > 1) title += fmt::format(", sums over {} samples", samples);
     } else if (view.overlay.show) {
         title = fmt::format("Splits of the kd-tree down to depth {}{}", view.overlay.max_depth,
                             words_of(view.overlay.colour, view.map.rays));
@@ -100,8 +101,11 @@ std::string title_of(const std::string& scene, const ViewConfig& view) {
 
 namespace {
 
-std::string samples_text(int samples) {
-    return samples > 0 ? fmt::format(", light by {} sample{}", samples, samples == 1 ? "" : "s") : "";
+std::string samples_text(const FigureFacts& f) {
+    if (f.samples == 0) return "";
+    if (f.average_samples < double(f.samples))
+        return fmt::format(", light by {:.1f} samples on average, {} at most", f.average_samples, f.samples);
+    return fmt::format(", light by {} sample{}", f.samples, f.samples == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -111,7 +115,7 @@ std::string caption_of(const FigureFacts& f) {
         "{}, {} triangle{}; {}; {} traversal, {} rules, {}{}{}{}, defaults elsewhere; {}; {} × {} in {}; kdscope {}",
         scene_text(f.scene, f.time, f.duration), number_text(double(f.triangles)), f.triangles == 1 ? "" : "s",
         tree_text(f.build, f.refitted), walk_text(f.trace), info(rules_in_force(f.trace)).name, leaf_lists_text(f),
-        nodes_text(f.trace), samples_text(f.samples), differences(f), machine_text(f), f.width, f.height, time_text(f),
+        nodes_text(f.trace), samples_text(f), differences(f), machine_text(f), f.width, f.height, time_text(f),
         build::version);
 }
 

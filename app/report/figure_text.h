@@ -27,10 +27,12 @@ struct FigureFacts {
     double milliseconds = 0;
     std::string clock;  // that the time was read from; may be empty
     int samples = 0;    // of light, for each pixel at most
+    double average_samples = 0;
 };
 
 /// "Interior nodes visited, primary rays", the splits where no map is shown, the scene where neither is.
-[[nodiscard]] std::string title_of(const std::string& scene, const ViewConfig& view);
+/// Of more than one of the `samples` of light, a map shows sums.
+[[nodiscard]] std::string title_of(const std::string& scene, const ViewConfig& view, int samples = 0);
 
 /// All that was chosen and what it took, in one line; seldom changed settings only where they differ from the default.
 [[nodiscard]] std::string caption_of(const FigureFacts& facts);

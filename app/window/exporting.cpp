@@ -44,13 +44,15 @@ FigureFacts facts_of(const EngineState& state) {
             .height = traced.frame->height,
             .milliseconds = traced.time.total_ms,
             .clock = traced.clock,
-            .samples = traced.samples ? traced.samples->samples : 0};
+            .samples = traced.samples ? traced.samples->samples : 0,
+            .average_samples = traced.samples ? traced.samples->average : 0};
 }
 
 std::string title_of(const EngineState& state) {
     const FlatScene& scene = state.picture->traced.world->scene();
     const std::string name = state.picture->traced.world->loaded->name;
-    return title_of(scene_text(name, scene.time, scene.duration), state.picture->view);
+    const std::optional<SampleCount>& samples = state.picture->traced.samples;
+    return title_of(scene_text(name, scene.time, scene.duration), state.picture->view, samples ? samples->samples : 0);
 }
 
 PngText png_text(const EngineState& state) {

@@ -1,5 +1,8 @@
 // Light by samples in the engine: pictures that grow while nothing changes.
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "app/frame/sampled_frame.h"
 #include "tests/app/engine_run.h"
 
@@ -56,6 +59,33 @@ TEST(EngineLight, AChangeBeginsAnewAndOffIsThePapersPicture) {
     ASSERT_TRUE(settle(engine));
     EXPECT_FALSE(engine.state().picture->traced.samples);
     EXPECT_EQ(engine.state().picture->image, plain.state().picture->image);
+}
+
+/// Root mean square difference of colours.
+double rmse(const Frame& a, const Frame& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.colour.pixels.size(); ++i) {
+        const glm::dvec3 d = glm::dvec3(a.colour.pixels[i]) - glm::dvec3(b.colour.pixels[i]);
+        sum += glm::dot(d, d);
+    }
+    return std::sqrt(sum / (3.0 * double(a.colour.pixels.size())));
+}
+
+TEST(EngineLight, FramesOfErrorDrawLightOfTheirOwn) {
+    Engine engine(sampled(1), quiet());
+    ASSERT_TRUE(settle(engine));
+    const Frame one = *engine.state().picture->traced.frame;
+    engine.sample_picture(Sampler::regular);
+    ASSERT_TRUE(wait_until(engine, [](const EngineState& s) { return s.convergence.samples >= 64; }));
+    engine.stop_sampling();
+    ASSERT_TRUE(settle(engine));
+    const EngineState& state = engine.state();
+    const World& world = *state.world;
+    const auto tracer = make_frame_tracer(TracerKind::cpu, world.scene(), world.tree, 2, {});
+    const SampledFrame many = trace_samples(*tracer, first_sample(state.session), state.picture->traced.lens,
+                                            state.session.width, state.session.height, {256, 0});
+    // Edges are smooth in one and not in the other, so that they never become equal; one sample is all grain.
+    EXPECT_LT(rmse(*state.picture->traced.frame, many.frame), 0.6 * rmse(one, many.frame));
 }
 
 }  // namespace
