@@ -4,20 +4,23 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "renderer/geometry/srgb.h"
+
 namespace kd {
 
 namespace {
-
-double encode(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055; }
-double decode(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 
 constexpr double dielectric = 0.04;
 constexpr double least_shown = 1.0 / 255.0;
 
 }  // namespace
 
-glm::dvec3 srgb_encoded(glm::dvec3 linear) { return {encode(linear.x), encode(linear.y), encode(linear.z)}; }
-glm::dvec3 srgb_decoded(glm::dvec3 encoded) { return {decode(encoded.x), decode(encoded.y), decode(encoded.z)}; }
+glm::dvec3 srgb_encoded(glm::dvec3 linear) {
+    return {srgb_encoded(linear.x), srgb_encoded(linear.y), srgb_encoded(linear.z)};
+}
+glm::dvec3 srgb_decoded(glm::dvec3 encoded) {
+    return {srgb_decoded(encoded.x), srgb_decoded(encoded.y), srgb_decoded(encoded.z)};
+}
 
 PbrSurface metallic_roughness(glm::dvec3 base, double metallic, double roughness) {
     return {base, glm::mix(glm::dvec3(dielectric), base, metallic), metallic, roughness};

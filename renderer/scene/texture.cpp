@@ -5,13 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/geometry/srgb.h"
+
 namespace kd {
 
 namespace {
-
-/// IEC 61966-2-1, both ways, 0..1.
-double decoded(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
-double encoded(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055; }
 
 /// Texels of a row of `from` that one of its copy of `to` texels covers, and how much of each: shares add up to 1.
 struct Covered {
@@ -55,13 +53,13 @@ class Mean {
     [[nodiscard]] double linear(unsigned char byte) const {
         static const std::array<double, 256> light = [] {
             std::array<double, 256> table{};
-            for (std::size_t i = 0; i < table.size(); ++i) table[i] = decoded(double(i) / 255.0);
+            for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_decoded(double(i) / 255.0);
             return table;
         }();
         return kind_ == TexelKind::colour ? light[byte] : byte / 255.0;
     }
     [[nodiscard]] unsigned char shown(double value) const {
-        return byte_of(kind_ == TexelKind::colour ? encoded(value) : value);
+        return byte_of(kind_ == TexelKind::colour ? srgb_encoded(value) : value);
     }
 
     TexelKind kind_;
