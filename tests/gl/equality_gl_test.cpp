@@ -212,6 +212,14 @@ TEST_P(EqualityOfPassesGl, ImagesOfEveryKind) {
     compare(scene, {});
 }
 
+TEST_P(EqualityOfPassesGl, FigureOneBySamples) {
+    const FlatScene scene = flatten(*make_procedural("cornell"));
+    for (const int sample : {0, 7, 15}) {
+        config.trace.sampling = {.sample = sample, .seed = 1};
+        compare(scene, {});
+    }
+}
+
 TEST_P(EqualityOfPassesGl, SampledLight) {
     const FlatScene scene = test::soft_scene(200, 7);
     config.trace.sampling = {.sample = 3, .seed = 5};
