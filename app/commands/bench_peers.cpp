@@ -12,6 +12,7 @@
 #include "renderer/cpu/suited_tree.h"
 #include "renderer/geometry/input_error.h"
 #include "renderer/peers/peers.h"
+#include "renderer/scene/needs.h"
 
 namespace kd {
 
@@ -68,6 +69,10 @@ PeersScene open_peers(const CommonOptions& options, const PeerBenchOptions& how,
     peers.session.trace.traversal = Traversal::stack;
     peers.session.threads = how.threads;
     peers.scene = open_scene(options, peers.session, context);
+    if (scene_needs(peers.scene, KdTree{}, peers.session.trace).masks)
+        throw InputError(fmt::format("--peers: {} has triangles with holes, which Embree here does not know; leave "
+                                     "--peers out, or take a scene without alpha masks",
+                                     peers.session.scene));
     peers.peers = peers_version();
     return peers;
 }

@@ -247,5 +247,10 @@ TEST(BenchPeers, WhatContradictsIsRefused) {
     expect_usage_error(run_kdscope({"bench", "cornell", "--peers", "--naive"}), {"--naive", "stack"});
 }
 
+TEST(BenchPeers, RefusesHolesThatTheyDoNotKnow) {
+    if (peers_version().empty()) GTEST_SKIP() << "Embree 3 is not installed";
+    expect_usage_error(run_kdscope({"bench", "topiary:20", "--peers"}), {"--peers", "topiary:20", "holes"});
+}
+
 }  // namespace
 }  // namespace kd
