@@ -19,17 +19,19 @@ std::string colour(Vec3 v) { return v.x == v.y && v.y == v.z ? fmt::format("{}",
 std::string view_row(std::string_view name, const Scene& scene) {
     const Camera& camera = *scene.camera;
     const Light& light = scene.lights[0];
-    return fmt::format("| `{}` | {} | {} | {}° | {} | {} | {}, {} | {} | {} |", name, point(camera.eye),
+    return fmt::format("| `{}` | {} | {} | {}° | {} | {} | {}, {} | {} | {} | {} |", name, point(camera.eye),
                        point(camera.target), camera.fov_y_degrees, point(light.position), colour(light.colour),
-                       light.attenuation.x, light.attenuation.y, colour(scene.ambient), colour(scene.background));
+                       light.attenuation.x, light.attenuation.y, light.radius, colour(scene.ambient),
+                       colour(scene.background));
 }
 
 std::string material_row(std::string_view name, const Scene& scene, std::size_t i) {
     const Material& m = scene.materials[i];
     const bool shiny = m.specular != Vec3(0.0f);
+    const std::string rough = m.roughness > 0.0f ? fmt::format(", roughness {}", m.roughness) : "";
     return fmt::format("| `{}` | {} | {} | {} | {} | {} |", name, scene.material_names[i],
                        colour(m.diffuse) + (m.texture >= 0 ? ", textured" : ""), colour(m.specular),
-                       shiny ? fmt::format("{}", m.shininess) : "-", colour(m.reflectance));
+                       shiny ? fmt::format("{}", m.shininess) : "-", colour(m.reflectance) + rough);
 }
 
 TEST(ScenesDocument, HoldsEveryCameraLightAndMaterial) {
