@@ -16,13 +16,12 @@ Stroke stroke_of(const std::string& traversal) {
 bool is_cpu(const std::string& machine) { return machine.starts_with(name_of(TracerKind::cpu)); }
 
 void mark_front(Chart& chart) {
-    std::vector<TimeAndError> all;
-    for (const ChartCurve& curve : chart.curves)
-        for (const ChartPoint& point : curve.points) all.push_back({point.x, point.y});
-    const std::vector<bool> front = pareto_front(all);
-    auto on_front = front.begin();
-    for (ChartCurve& curve : chart.curves)
-        for (ChartPoint& point : curve.points) point.marked = *on_front++;
+    mark_front(
+        chart.curves,
+        [](const ChartPoint& point) {
+            return TimeAndError{point.x, point.y};
+        },
+        &ChartPoint::marked);
 }
 
 }  // namespace kd

@@ -7,7 +7,13 @@ KD_CALL_FN bool cut_out(int triangle, real u, real v)
     Material material = fetch_material(fetch_material_index(triangle));
     if (!(material.alpha_cutoff > real(0))) return false;
     real alpha = real(1);
-    if (material.texture >= 0) alpha = sample_texture(material.texture, texture_place(triangle, u, v), real(0)).w;
+    if (material.texture >= 0) {
+        real2 a;
+        real2 b;
+        real2 c;
+        fetch_texture_coordinates(triangle, a, b, c);
+        alpha = sample_texture(material.texture, blend2(a, b, c, u, v), real(0)).w;
+    }
     return alpha < material.alpha_cutoff;
 }
 

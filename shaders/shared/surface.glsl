@@ -17,21 +17,25 @@ KD_FN real3 blend3(real3 a, real3 b, real3 c, real u, real v)
     return add_scaled3(add_scaled3(scale3(a, w), b, u), c, v);
 }
 
-/// Area, in texture coordinates, of the square around what a cone of this width sees of a triangle with these edges: texels
-/// per area of the triangle, and the cone's section stretched as the triangle leans (Akenine-Moeller et al., "Texture Level
+/// A triangle's edges from its first corner, in space and in texture coordinates, and twice its area in the latter, below 0
+/// where it stands there mirrored.
+struct TexturedEdges {
+    real3 b;
+    real3 c;
+    real2 image_b;
+    real2 image_c;
+    real image_area;
+};
+
+/// Area, in texture coordinates, of the square around what a cone of this width sees of a triangle: texels per area of the triangle, and the cone's section stretched as the triangle leans (Akenine-Moeller et al., "Texture Level
 /// of Detail Strategies for Real-Time Ray Tracing", Ray Tracing Gems, 2019, section 20.3.4). 0 where that says nothing.
-KD_FN real seen_area(int triangle, real3 edge_b, real3 edge_c, real cosine, real width)
+KD_FN real seen_area(IN(TexturedEdges) edges, real cosine, real width)
 {
-    real2 a;
-    real2 b;
-    real2 c;
-    fetch_texture_coordinates(triangle, a, b, c);
-    PRECISE real in_texture = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    real3 across = cross3(edge_b, edge_c);
+    real3 across = cross3(edges.b, edges.c);
     real in_space = square_root(dot3(across, across));
     if (!(in_space > real(1e-30))) return real(0);
     real section = quotient(width, max(cosine, real(1e-3)));
-    PRECISE real area = quotient(abs(in_texture), in_space) * section * section;
+    PRECISE real area = quotient(abs(edges.image_area), in_space) * section * section;
     return area;
 }
 
@@ -50,17 +54,12 @@ KD_FN void tint_by_textures(real2 uv, real area, INOUT(Material) material)
 /// `normal` bent as the material's image says: x runs along the image's rows, y up its columns, on the side `front` (1 or
 /// -1) of the triangle (glTF 2.0, section 3.9.3). The tangents are those of the triangle's texture coordinates. As it was
 /// where these have no area, or where the bent one would lean below the surface.
-KD_FN real3 bend_normal(IN(Surface) s, real3 edge_b, real3 edge_c, real front, real2 uv, real area)
+KD_FN real3 bend_normal(IN(Surface) s, IN(TexturedEdges) edges, real front, real2 uv, real area)
 {
-    real2 a;
-    real2 b;
-    real2 c;
-    fetch_texture_coordinates(s.triangle, a, b, c);
-    PRECISE real turn = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    if (turn == real(0)) return s.shading;
-    real sign = turn < real(0) ? real(-1) : real(1);
-    real3 along_rows = scale3(add_scaled3(scale3(edge_b, c.y - a.y), edge_c, a.y - b.y), sign);
-    real3 up_columns = scale3(add_scaled3(scale3(edge_b, c.x - a.x), edge_c, a.x - b.x), sign);
+    if (edges.image_area == real(0)) return s.shading;
+    real sign = edges.image_area < real(0) ? real(-1) : real(1);
+    real3 along_rows = scale3(add_scaled3(scale3(edges.b, edges.image_c.y), edges.c, -edges.image_b.y), sign);
+    real3 up_columns = scale3(add_scaled3(scale3(edges.b, edges.image_c.x), edges.c, -edges.image_b.x), sign);
     real3 tangent = normalise3(add_scaled3(along_rows, s.shading, -dot3(along_rows, s.shading)));
     real3 bitangent = cross3(s.shading, tangent);
     if (dot3(bitangent, up_columns) < real(0)) bitangent = -bitangent;
@@ -80,10 +79,23 @@ KD_CALL_FN void apply_images(IN(Hit) hit, real3 edge_b, real3 edge_c, real front
     bool glows = scene_has_emission() && s.material.emission_texture >= 0;
     bool tints = scene_has_textures() && (s.material.texture >= 0 || glows);
     if (!bends && !tints) return;
-    real2 uv = texture_place(hit.triangle, hit.u, hit.v);
-    real area = scene_has_mip_maps() ? seen_area(hit.triangle, edge_b, edge_c, cosine, width) : real(0);
+    real2 a;
+    real2 b;
+    real2 c;
+    fetch_texture_coordinates(hit.triangle, a, b, c);
+    real2 uv = blend2(a, b, c, hit.u, hit.v);
+    PRECISE real2 image_b = b - a;
+    PRECISE real2 image_c = c - a;
+    PRECISE real image_area = image_b.x * image_c.y - image_c.x * image_b.y;
+    TexturedEdges edges;
+    edges.b = edge_b;
+    edges.c = edge_c;
+    edges.image_b = image_b;
+    edges.image_c = image_c;
+    edges.image_area = image_area;
+    real area = scene_has_mip_maps() ? seen_area(edges, cosine, width) : real(0);
     if (tints) tint_by_textures(uv, area, s.material);
-    if (bends) s.shading = bend_normal(s, edge_b, edge_c, front, uv, area);
+    if (bends) s.shading = bend_normal(s, edges, front, uv, area);
 }
 
 /// Everything shading needs to know about a hit of `ray`, whose direction is a unit vector; `width` is that of the cone about

@@ -74,13 +74,8 @@ KD_CALL_FN real4 sample_texture(int index, real2 uv, real area)
     return scale4(bytes, real(0.00392156862745098));
 }
 
-/// The texture coordinates at a hit.
-KD_FN real2 texture_place(int triangle, real u, real v)
+KD_FN real2 blend2(real2 a, real2 b, real2 c, real u, real v)
 {
-    real2 a;
-    real2 b;
-    real2 c;
-    fetch_texture_coordinates(triangle, a, b, c);
     PRECISE real w = real(1) - u - v;
     PRECISE real x = a.x * w + b.x * u + c.x * v;
     PRECISE real y = a.y * w + b.y * u + c.y * v;

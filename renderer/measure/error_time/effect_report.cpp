@@ -120,7 +120,7 @@ class EffectRun {
             for (const LightPoints points : {LightPoints::sequence, LightPoints::independent})
                 measure_points(effect, points, frames, measured);
             if (&effect == &task_.effects.back()) measure_adaptive(effect, frames, measured);
-            mark_front(measured.curves, time_and_error);
+            mark_front(measured.curves, time_and_error, &EffectPoint::on_front);
             report.effects.push_back(std::move(measured));
             ++done_;
             traced_ = 0;

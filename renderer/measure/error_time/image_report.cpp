@@ -59,7 +59,12 @@ class ImageRun {
         flip_ = &flip;
         const std::vector<TimedRounds> frames = time_frames();
         for (const Sampler sampler : samplers) measure_sampler(sampler, frames, report);
-        mark_front(report.curves, [](const ImagePoint& point) { return TimeAndError{point.seconds, point.rmse}; });
+        mark_front(
+            report.curves,
+            [](const ImagePoint& point) {
+                return TimeAndError{point.seconds, point.rmse};
+            },
+            &ImagePoint::on_front);
     }
 
   private:

@@ -18,16 +18,16 @@ struct TimeAndError {
 /// front.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const TimeAndError> methods);
 
-/// Sets `on_front` of the points of all curves: `of` makes a TimeAndError of a point.
-template <class Curves, class Of>
-void mark_front(Curves& curves, const Of& of) {
+/// Sets `mark`, a member, of the points of all curves: `of` makes a TimeAndError of a point.
+template <class Curves, class Of, class Point>
+void mark_front(Curves& curves, const Of& of, bool Point::*mark) {
     std::vector<TimeAndError> all;
     for (const auto& curve : curves)
         for (const auto& point : curve.points) all.push_back(of(point));
     const std::vector<bool> front = pareto_front(all);
     auto on_front = front.begin();
     for (auto& curve : curves)
-        for (auto& point : curve.points) point.on_front = *on_front++;
+        for (auto& point : curve.points) point.*mark = *on_front++;
 }
 
 /// Kendall's rank correlation tau-b of pairs (x[i], y[i]): 1 where both order alike, -1 where they order opposite ways,
